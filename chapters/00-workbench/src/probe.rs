@@ -1,0 +1,163 @@
+//! Watching a render: exact counters, and the story of one path.
+//!
+//! A render is compiled twice, once with [`Unwatched`], in which all of this vanishes, and once
+//! with a [`Recorder`]: counting costs nothing to those who did not ask for it.
+
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+
+/// Watches a render.
+pub trait Probe: Sync {
+    /// Whether anything is recorded at all: lets hot loops skip local counting at compile time.
+    const ACTIVE: bool;
+
+    /// Adds `by` to a counter. Hot loops count locally and call this once a ray.
+    fn count(&self, counter: Counter, by: u64);
+
+    /// Prints the sentence under `--pixel`, for the first path only; `sentence` is not called
+    /// otherwise.
+    fn tell(&self, sentence: impl FnOnce() -> String);
+}
+
+/// Watches nothing, and compiles to nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unwatched;
+
+impl Probe for Unwatched {
+    const ACTIVE: bool = false;
+
+    #[inline(always)]
+    fn count(&self, _: Counter, _: u64) {}
+
+    #[inline(always)]
+    fn tell(&self, _: impl FnOnce() -> String) {}
+}
+
+/// What can be counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Counter {
+    /// Rays that start at the eye. The film counts them itself.
+    CameraRays,
+    /// Rays that only ask whether something stands in the way of a light.
+    ShadowRays,
+    /// Rays that leave a mirror or the outside of glass by reflection.
+    ReflectionRays,
+    /// Rays that pass through a surface.
+    RefractionRays,
+    /// Rays in random directions.
+    ScatterRays,
+    /// Ray against bounding volume.
+    VolumeTests,
+    /// Ray against triangle or sphere.
+    PrimitiveTests,
+    /// Shadow rays not traced, because the light is behind the surface.
+    ShadowRaysFacingAway,
+    /// Shadow rays not traced, because the surface reflects nothing of that light.
+    ShadowRaysNothingToReflect,
+    /// Branches of the recursion not followed, because they cannot change an 8-bit pixel.
+    BranchesBelowThreshold,
+}
+
+impl Counter {
+    /// Every counter, in the order of the statistics file.
+    pub const ALL: [Self; 10] = [
+        Self::CameraRays,
+        Self::ShadowRays,
+        Self::ReflectionRays,
+        Self::RefractionRays,
+        Self::ScatterRays,
+        Self::VolumeTests,
+        Self::PrimitiveTests,
+        Self::ShadowRaysFacingAway,
+        Self::ShadowRaysNothingToReflect,
+        Self::BranchesBelowThreshold,
+    ];
+
+    /// The group and the key under which the statistics file shows the count.
+    #[must_use]
+    pub const fn name(self) -> (&'static str, &'static str) {
+        match self {
+            Self::CameraRays => ("rays", "camera"),
+            Self::ShadowRays => ("rays", "shadow"),
+            Self::ReflectionRays => ("rays", "reflection"),
+            Self::RefractionRays => ("rays", "refraction"),
+            Self::ScatterRays => ("rays", "scatter"),
+            Self::VolumeTests => ("tests", "volume"),
+            Self::PrimitiveTests => ("tests", "primitive"),
+            Self::ShadowRaysFacingAway => ("skipped", "shadow_rays_facing_away"),
+            Self::ShadowRaysNothingToReflect => ("skipped", "shadow_rays_nothing_to_reflect"),
+            Self::BranchesBelowThreshold => ("skipped", "branches_below_threshold"),
+        }
+    }
+}
+
+/// How many threads may count without getting in each other's way.
+const SHARDS: usize = 32;
+
+/// The counts of some of the threads, on cache lines of their own.
+#[derive(Debug, Default)]
+#[repr(align(128))]
+struct Shard([AtomicU64; Counter::ALL.len()]);
+
+/// Counts exactly, and prints the story of a path while it is told to.
+#[derive(Debug)]
+pub struct Recorder {
+    shards: Vec<Shard>,
+    telling: AtomicBool,
+    to_stderr: bool,
+}
+
+impl Recorder {
+    /// All counts zero; tells nothing yet.
+    #[must_use]
+    pub fn new() -> Self {
+        let shards = (0..SHARDS).map(|_| Shard::default()).collect();
+        Self {
+            shards,
+            telling: AtomicBool::new(false),
+            to_stderr: false,
+        }
+    }
+
+    /// The same, but the story goes to standard error: standard output belongs to the statistics.
+    pub(crate) fn telling_stderr(mut self) -> Self {
+        self.to_stderr = true;
+        self
+    }
+
+    /// What a counter stands at.
+    #[must_use]
+    pub fn get(&self, counter: Counter) -> u64 {
+        // Integers, so the sum is the same whatever thread counted what.
+        self.shards
+            .iter()
+            .map(|shard| shard.0[counter as usize].load(Ordering::Relaxed))
+            .sum()
+    }
+
+    /// Whether sentences are printed from now on.
+    pub(crate) fn set_telling(&self, telling: bool) {
+        self.telling.store(telling, Ordering::Relaxed);
+    }
+}
+
+impl Default for Recorder {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Probe for Recorder {
+    const ACTIVE: bool = true;
+
+    fn count(&self, counter: Counter, by: u64) {
+        let shard = rayon::current_thread_index().unwrap_or(0) % SHARDS;
+        self.shards[shard].0[counter as usize].fetch_add(by, Ordering::Relaxed);
+    }
+
+    fn tell(&self, sentence: impl FnOnce() -> String) {
+        if self.telling.load(Ordering::Relaxed) {
+            crate::run::say(self.to_stderr, &sentence());
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! All the primitives of a scene, as flat arrays.
+
+use glam::{Vec2, Vec3};
+
+use crate::hit::Hit;
+use crate::ray::Ray;
+use crate::sphere::Sphere;
+use crate::triangle::{self, ShearedRay};
+
+/// Triangles that share vertices, and spheres.
+///
+/// Primitive `i` is triangle `i` as long as there are that many; the spheres are counted on from
+/// there.
+#[derive(Clone, Debug, Default)]
+pub struct Geometry {
+    /// Corners, in scene units.
+    pub vertices: Vec<Vec3>,
+    /// Three indices into `vertices` for each triangle, counter-clockwise seen from its front.
+    pub triangles: Vec<[u32; 3]>,
+    /// Analytic spheres.
+    pub spheres: Vec<Sphere>,
+}
+
+/// A ray, made ready for triangles once instead of at each.
+#[derive(Clone, Copy, Debug)]
+pub struct PreparedRay {
+    /// For spheres, and for everything that is not a triangle.
+    pub ray: Ray,
+    /// For triangles.
+    pub sheared: ShearedRay,
+}
+
+impl PreparedRay {
+    /// Prepares `ray`.
+    #[inline]
+    #[must_use]
+    pub fn new(ray: &Ray) -> Self {
+        Self { ray: *ray, sheared: ShearedRay::new(ray) }
+    }
+
+    /// From now on only hits at `t` or nearer count.
+    #[inline]
+    pub const fn shorten_to(&mut self, t: f32) {
+        self.ray.extent.max = t;
+        self.sheared.extent.max = t;
+    }
+
+    /// From now on only hits nearer than `t` count.
+    #[inline]
+    pub const fn shorten_below(&mut self, t: f32) {
+        self.shorten_to(t.next_down());
+    }
+}
+
+impl Geometry {
+    /// How many primitives there are.
+    #[inline]
+    #[must_use]
+    pub fn primitives(&self) -> u32 {
+        (self.triangles.len() + self.spheres.len()) as u32
+    }
+
+    /// The corners of a triangle.
+    #[inline]
+    #[must_use]
+    pub fn corners(&self, triangle: u32) -> [Vec3; 3] {
+        self.triangles[triangle as usize].map(|vertex| self.vertices[vertex as usize])
+    }
+
+    /// The sphere with this primitive index, if it is one.
+    #[inline]
+    #[must_use]
+    pub fn sphere(&self, primitive: u32) -> Option<&Sphere> {
+        self.spheres.get((primitive as usize).checked_sub(self.triangles.len())?)
+    }
+
+    /// The hit of `ray` on one primitive.
+    #[inline]
+    #[must_use]
+    pub fn intersect_primitive(&self, ray: &PreparedRay, primitive: u32) -> Option<Hit> {
+        match self.sphere(primitive) {
+            None => triangle::intersect(&ray.sheared, self.corners(primitive), primitive),
+            Some(sphere) => intersect_sphere(sphere, &ray.ray, primitive),
+        }
+    }
+}
+
+/// The hit of `ray` on `sphere`, under the name `primitive`.
+#[inline]
+#[must_use]
+pub fn intersect_sphere(sphere: &Sphere, ray: &Ray, primitive: u32) -> Option<Hit> {
+    let t = sphere.intersect(ray)?;
+    Some(Hit { t, primitive, barycentric: Vec2::ZERO })
+}

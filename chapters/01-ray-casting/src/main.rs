@@ -1,0 +1,42 @@
+//! Chapter 1: draw the nearest surface along each ray.
+//!
+//! `cargo run --release -p ray-casting -- teapot --show normal`
+
+use std::process::ExitCode;
+
+use ray_casting::{LinearSearch, RayCaster, Scene, Show, simplifications};
+use workbench::{Error, Finished, Probe, Run, Stage, Unwatched};
+
+const STAGE: Stage = Stage {
+    name: "ray-casting",
+    about: "Draws the nearest surface along each ray, and the shadows of the first light",
+    scene: "whitted",
+    samples: 16,
+    depth: None,
+    estimates: false,
+};
+
+#[derive(clap::Args)]
+struct Extra {
+    /// What to draw of the visible surface
+    #[arg(long, value_enum, default_value_t)]
+    show: Show,
+}
+
+fn main() -> ExitCode {
+    workbench::main(&STAGE, |run: &Run<Extra>| match run.recorder() {
+        Some(recorder) => render(run, recorder),
+        None => render(run, &Unwatched),
+    })
+}
+
+fn render<P: Probe>(run: &Run<Extra>, probe: &P) -> Result<Finished, Error> {
+    let scene = run.load(Scene::load)?;
+    simplifications(&scene).into_iter().for_each(|sentence| run.note(sentence));
+    let geometry = run.build(|| LinearSearch::new(&scene.geometry, probe));
+    let caster = RayCaster::new(&scene, &geometry, probe, run.options.stage.show);
+    let film = run.render(scene.exposure, probe, |film_point, _| {
+        caster.incident_radiance(scene.camera.ray(film_point))
+    })?;
+    run.save(&film)
+}

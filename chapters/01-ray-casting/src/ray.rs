@@ -1,0 +1,45 @@
+//! Rays and the stretch of them that is still of interest.
+//!
+//! A ray is the half-line **p**(t) = **o** + t **d**. It always carries the interval of t in which
+//! a hit would still count, so "nearest so far" and "as far as the light" are the same idea.
+
+use glam::Vec3;
+
+use crate::interval::Interval;
+
+/// A half-line restricted to `extent`.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray {
+    /// **o**, in scene units.
+    pub origin: Vec3,
+    /// **d**, unit length up to rounding. The intersection kernels work for any length, and t then
+    /// counts in multiples of it.
+    pub direction: Vec3,
+    /// The values of t at which a hit counts: `extent.min < t ≤ extent.max`.
+    ///
+    /// The lower end is left out, so that a ray that starts on a surface (t = 0) does not hit it.
+    pub extent: Interval,
+}
+
+impl Ray {
+    /// The whole half-line in front of `origin`.
+    #[inline]
+    #[must_use]
+    pub const fn new(origin: Vec3, direction: Vec3) -> Self {
+        Self { origin, direction, extent: Interval::FORWARD }
+    }
+
+    /// Whether a hit at `t` counts. False for NaN.
+    #[inline]
+    #[must_use]
+    pub fn admits(&self, t: f32) -> bool {
+        self.extent.min < t && t <= self.extent.max
+    }
+
+    /// **p**(t) = **o** + t **d**.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, t: f32) -> Vec3 {
+        self.origin + t * self.direction
+    }
+}

@@ -1,0 +1,116 @@
+//! What is known about the point a ray has met, and how to leave it.
+
+use glam::Vec3;
+
+use crate::hit::Hit;
+use crate::interval::Interval;
+use crate::math::gamma;
+use crate::ray::Ray;
+
+/// A point of a surface: everything that every kind of shading needs.
+///
+/// What only some need, interpolated normals and texture coordinates, is looked up on demand by
+/// [`Scene`](crate::Scene) from `hit`.
+#[derive(Clone, Copy, Debug)]
+pub struct SurfacePoint {
+    /// In scene units.
+    pub position: Vec3,
+    /// How far the exact point may lie from `position`, for each axis; in scene units.
+    pub position_error: Vec3,
+    /// Unit normal of the front: of a triangle the side from which its vertices run
+    /// counter-clockwise, of a sphere the outside.
+    pub geometric_normal: Vec3,
+    /// Unit vector toward the viewer.
+    pub wo: Vec3,
+    /// Index into [`Scene::materials`](crate::Scene::materials).
+    pub material: u32,
+    /// What the search found.
+    pub hit: Hit,
+}
+
+impl SurfacePoint {
+    /// Whether the viewer looks at the front.
+    #[inline]
+    #[must_use]
+    pub fn is_front(&self) -> bool {
+        self.geometric_normal.dot(self.wo) > 0.0
+    }
+
+    /// The geometric normal, turned to the viewer's side.
+    #[inline]
+    #[must_use]
+    pub fn facing_normal(&self) -> Vec3 {
+        if self.is_front() { self.geometric_normal } else { -self.geometric_normal }
+    }
+
+    /// A ray that leaves along `direction` (unit length) and does not meet this surface again.
+    #[inline]
+    #[must_use]
+    pub fn spawn(&self, direction: Vec3) -> Ray {
+        Ray::new(self.offset_origin(direction), direction)
+    }
+
+    /// A ray that leaves for `target` and ends there.
+    #[inline]
+    #[must_use]
+    pub fn spawn_to(&self, target: Vec3) -> Ray {
+        let origin = self.offset_origin(target - self.position);
+        let path = target - origin;
+        let distance = path.length();
+        Ray { origin, direction: path / distance, extent: Interval::new(0.0, distance) }
+    }
+
+    // ANCHOR: offset
+    /// An origin that lies surely on the side of the surface to which `direction` points.
+    ///
+    /// ```text
+    /// o = p ± δ n,   δ = Σ |nᵢ| eᵢ
+    /// ```
+    ///
+    /// The exact point lies in the box **p** ± **e**, and no corner of that box is farther from **p**
+    /// along **n** than δ. Adding δ **n** rounds once more, so each component is moved on to the next
+    /// float away from **p** [PBR4] §6.8.6. No constant is involved: the step is a few units in the
+    /// last place of **p**, at every scale. [`offset_by_epsilon`] is what it replaces.
+    #[inline]
+    fn offset_origin(&self, direction: Vec3) -> Vec3 {
+        let n = self.geometric_normal;
+        let distance = n.abs().dot(self.position_error);
+        let side = if direction.dot(n) < 0.0 { -1.0 } else { 1.0 };
+        let offset = side * distance * n;
+
+        let origin = (self.position + offset).to_array();
+        let offset = offset.to_array();
+        Vec3::from_array([0, 1, 2].map(|i| {
+            if offset[i] > 0.0 {
+                origin[i].next_up()
+            } else if offset[i] < 0.0 {
+                origin[i].next_down()
+            } else {
+                origin[i]
+            }
+        }))
+    }
+    // ANCHOR_END: offset
+}
+
+/// The error box around a point whose components were rounded once from (nearly) exact values.
+///
+/// Half a unit in the last place is u |p|; γ(2) |p| leaves as much again for the double-precision
+/// computation behind it, and `extent` is the size of the numbers that went into that.
+#[inline]
+#[must_use]
+pub(crate) fn rounding_box(position: Vec3, extent: Vec3) -> Vec3 {
+    gamma(2) * position.abs() + DOUBLE_ROUNDING * extent
+}
+
+/// γ(16) of double precision, as a bound for sums and products of a handful of terms.
+const DOUBLE_ROUNDING: f32 = 16.0 * f64::EPSILON as f32;
+
+/// The folklore version, kept to show what it breaks: moves by a constant, whatever the scale.
+///
+/// Too small a constant leaves points in their own shadow (acne), too large a one detaches shadows
+/// from what casts them; which of the two depends on the size of the scene.
+#[must_use]
+pub fn offset_by_epsilon(surface: &SurfacePoint, direction: Vec3, epsilon: f32) -> Ray {
+    Ray { origin: surface.position, direction, extent: Interval::new(epsilon, f32::INFINITY) }
+}

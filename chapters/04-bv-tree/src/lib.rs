@@ -1,0 +1,26 @@
+//! Chapter 4: do not look at what a ray cannot hit.
+//!
+//! Brings [`BoundingVolume`] with its three kinds [`Aabb`], [`Obb`] and [`KDop`], and the
+//! [`BvTree`] over any of them. Relies on chapter 1 alone; its binary runs the recursion of chapter 3
+//! over the tree.
+
+mod aabb;
+mod bounding_volume;
+mod builder;
+mod bv_tree;
+mod frames;
+mod item;
+mod k_dop;
+mod node;
+mod obb;
+mod slab;
+mod split;
+
+pub use aabb::{Aabb, AabbQuery};
+pub use bounding_volume::BoundingVolume;
+pub use bv_tree::BvTree;
+pub use item::Item;
+pub use k_dop::KDop;
+pub use obb::{Obb, ObbQuery};
+pub use slab::SlabQuery;
+pub use split::Builder;

@@ -1,0 +1,82 @@
+//! The space between two parallel planes, and why a rounded test of it never misses.
+
+use ray_casting::Interval;
+use ray_casting::math::gamma;
+
+/// A ray as one slab lo ≤ n·p ≤ hi wants it.
+///
+/// With o = n·**o** and d = n·**d**, the ray crosses the plane n·p = c at t = (c − o) / d. Four steps
+/// make the interval that [`SlabQuery::clip`] computes contain every t at which a primitive between
+/// the planes can report a hit:
+///
+/// 1. The slab is widened by a padding E to [lo − E, hi + E], for what the primitive's own test
+///    rounded. It costs nothing: lo − E − o = lo − (o + E), so the origin moves instead, once a ray.
+///    The sum is rounded away from o.
+/// 2. c − o, 1/d and their product are rounded: t is off by a factor within 1 ± γ(3). The plane that
+///    the ray enters through is brought nearer by the factor 1 − γ(6), the other moved away by
+///    1 + γ(6): enough for the rounding of the hit's own t, too. (A negative t moves the wrong way,
+///    but then the true one is negative as well, and nothing behind the origin is asked for.)
+/// 3. For d = 0 the ray never crosses. 1/d is ∞ and t = ±∞ says on which side of each plane it runs.
+///    Only an origin exactly on a plane gives 0 · ∞ = NaN, and NaN constrains nothing; at the plane
+///    of entry not even that occurs, since there 1/d is at most the largest finite number.
+/// 4. That also keeps the entry a lower bound when 1/d overflows for a tiny d.
+#[derive(Clone, Copy, Debug)]
+pub struct SlabQuery {
+    /// o + E.
+    pub origin_for_min: f32,
+    /// o − E.
+    pub origin_for_max: f32,
+    /// 1/d, corrected for the plane lo.
+    pub inverse_for_min: f32,
+    /// 1/d, corrected for the plane hi.
+    pub inverse_for_max: f32,
+}
+
+impl SlabQuery {
+    /// Prepares a ray with n·**o** = `origin` and n·**d** = `direction`.
+    #[inline]
+    #[must_use]
+    pub fn new(origin: f32, direction: f32, padding: f32) -> Self {
+        // A zero of either sign counts as positive.
+        let inverse = if direction == 0.0 { f32::INFINITY } else { 1.0 / direction };
+        let enter = inverse.clamp(-f32::MAX, f32::MAX) * (1.0 - gamma(6));
+        let leave = inverse * (1.0 + gamma(6));
+        let forward = inverse > 0.0;
+        Self {
+            origin_for_min: (origin + padding).next_up(),
+            origin_for_max: (origin - padding).next_down(),
+            inverse_for_min: if forward { enter } else { leave },
+            inverse_for_max: if forward { leave } else { enter },
+        }
+    }
+
+    /// The t for which the ray is inside the slab [`slab.min`, `slab.max`]. Ends may be NaN.
+    #[inline]
+    #[must_use]
+    pub fn clip(&self, slab: Interval) -> Interval {
+        let a = (slab.min - self.origin_for_min) * self.inverse_for_min;
+        let b = (slab.max - self.origin_for_max) * self.inverse_for_max;
+        Interval::new(smaller(a, b), larger(a, b))
+    }
+}
+
+/// The part of `a` that lies in `b`; an end of `a` that is NaN constrains nothing.
+#[inline]
+#[must_use]
+pub(crate) fn overlap(a: Interval, b: Interval) -> Interval {
+    Interval::new(larger(a.min, b.min), smaller(a.max, b.max))
+}
+
+/// The larger of two numbers, and the second if the first is NaN.
+#[inline]
+#[must_use]
+pub(crate) fn larger(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// The smaller of two numbers, and the second if the first is NaN.
+#[inline]
+#[must_use]
+pub(crate) fn smaller(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}

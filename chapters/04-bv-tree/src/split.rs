@@ -1,0 +1,227 @@
+//! Where to divide a range of primitives: at the median, or where a ray would pay least.
+
+use clap::ValueEnum;
+use rayon::prelude::{ParallelIterator, ParallelSlice};
+
+use crate::aabb::Aabb;
+use crate::bounding_volume::BoundingVolume;
+use crate::builder::bounds;
+use crate::item::Item;
+
+/// How a tree is divided.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Builder {
+    /// In halves of equal count, along the axis on which the centres spread most.
+    Median,
+    /// By the surface area heuristic, over bins.
+    #[default]
+    Sah,
+}
+
+/// Two halves of a range whose items have been put in order.
+pub(crate) struct Split {
+    /// How many of the items belong to the left half.
+    pub(crate) left_count: usize,
+    /// The box around them.
+    pub(crate) left: Aabb,
+    /// The box around the others.
+    pub(crate) right: Aabb,
+}
+
+impl Split {
+    /// Divides `items`, already in order, behind the first `left_count`.
+    pub(crate) fn at(left_count: usize, items: &[Item]) -> Self {
+        let (left, right) = items.split_at(left_count);
+        Self { left_count, left: bounds(left), right: bounds(right) }
+    }
+}
+
+/// Divides `items`, whose box is `whole`, or says that they should be one leaf.
+pub(crate) fn split(builder: Builder, whole: &Aabb, items: &mut [Item]) -> Option<Split> {
+    match builder {
+        Builder::Median => split_at_median(items),
+        Builder::Sah => split_by_area(whole, items),
+    }
+}
+
+/// A median leaf holds at most this many primitives.
+const MEDIAN_LEAF: usize = 4;
+
+fn split_at_median(items: &mut [Item]) -> Option<Split> {
+    if items.len() <= MEDIAN_LEAF {
+        return None;
+    }
+    let centers = center_bounds(items);
+    let size = centers.max - centers.min;
+    let axis = if size.x >= size.y && size.x >= size.z { 0 } else if size.y >= size.z { 1 } else { 2 };
+    let middle = items.len() / 2;
+    items.select_nth_unstable_by(middle, |a, b| {
+        let order = a.doubled_center()[axis].total_cmp(&b.doubled_center()[axis]);
+        order.then(a.primitive.cmp(&b.primitive))
+    });
+    Some(Split::at(middle, items))
+}
+
+/// The box around the (doubled) centres.
+fn center_bounds(items: &[Item]) -> Aabb {
+    let add = |all: Aabb, item: &Item| {
+        let center = item.doubled_center();
+        Aabb { min: all.min.min(center), max: all.max.max(center) }
+    };
+    if items.len() < PARALLEL {
+        return items.iter().fold(Aabb::EMPTY, add);
+    }
+    let chunks = items.par_chunks(PARALLEL).map(|chunk| chunk.iter().fold(Aabb::EMPTY, add));
+    chunks.reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
+}
+
+/// Into how many equal parts the spread of the centres is divided, along each axis.
+const BINS: usize = 16;
+
+/// Items to a task.
+const PARALLEL: usize = 1 << 14;
+
+/// What testing a primitive costs beside testing a pair of boxes.
+const PRIMITIVE_COST: f32 = 1.0;
+
+/// A leaf may hold more than the heuristic wants only if nothing separates its items.
+const MAX_LEAF: usize = 8;
+
+/// One part of the spread: what lies in it.
+#[derive(Clone, Copy)]
+struct Bin {
+    bounds: Aabb,
+    count: u32,
+}
+
+type Bins = [[Bin; BINS]; 3];
+
+const NO_BINS: Bins = [[Bin { bounds: Aabb::EMPTY, count: 0 }; BINS]; 3];
+
+/// The surface area heuristic [GoldsmithSalmon87], over bins [Wald07].
+///
+/// A line that meets a convex body of area A meets a convex part of area a with probability a / A.
+/// A ray that has entered the whole therefore pays on average, in units of one pair of box tests,
+///
+/// ```text
+/// 1 + C (a_left n_left + a_right n_right) / A      for a split,
+/// C n                                              for a leaf
+/// ```
+///
+/// Only splits between bins are tried, on all three axes.
+fn split_by_area(whole: &Aabb, items: &mut [Item]) -> Option<Split> {
+    let n = items.len();
+    if n < 2 {
+        return None;
+    }
+    let binning = Binning::new(&center_bounds(items));
+    let bins = binning.fill(items);
+    let best = best_plane(&bins);
+    let Some(plane) = best else {
+        return if n > MAX_LEAF { split_at_median(items) } else { None };
+    };
+    let split_cost = 1.0 + PRIMITIVE_COST * plane.cost / whole.surface_area();
+    if n <= MAX_LEAF && split_cost >= PRIMITIVE_COST * n as f32 {
+        return None;
+    }
+    let left_count = partition(items, |item| binning.bin(item)[plane.axis] < plane.bin);
+    Some(Split { left_count, left: plane.left, right: plane.right })
+}
+
+/// Maps centres to bins.
+struct Binning {
+    min: [f32; 3],
+    scale: [f32; 3],
+}
+
+impl Binning {
+    /// An axis along which no two centres differ has the scale 0: all items fall into its first bin.
+    fn new(centers: &Aabb) -> Self {
+        let size = (centers.max - centers.min).to_array();
+        Self {
+            min: centers.min.to_array(),
+            scale: size.map(|s| {
+                let scale = BINS as f32 / s;
+                if scale.is_finite() { scale } else { 0.0 }
+            }),
+        }
+    }
+
+    #[inline]
+    fn bin(&self, item: &Item) -> [usize; 3] {
+        let center = item.doubled_center().to_array();
+        [0, 1, 2].map(|i| (((center[i] - self.min[i]) * self.scale[i]) as usize).min(BINS - 1))
+    }
+
+    fn fill(&self, items: &[Item]) -> Bins {
+        let add = |mut bins: Bins, item: &Item| {
+            for (axis, bin) in self.bin(item).into_iter().enumerate() {
+                let bin = &mut bins[axis][bin];
+                bin.bounds = bin.bounds.union(&item.bounds);
+                bin.count += 1;
+            }
+            bins
+        };
+        if items.len() < PARALLEL {
+            return items.iter().fold(NO_BINS, add);
+        }
+        let chunks = items.par_chunks(PARALLEL).map(|chunk| chunk.iter().fold(NO_BINS, add));
+        chunks.reduce(|| NO_BINS, |a, b| {
+            let mut sum = a;
+            for (into, from) in sum.iter_mut().flatten().zip(b.iter().flatten()) {
+                into.bounds = into.bounds.union(&from.bounds);
+                into.count += from.count;
+            }
+            sum
+        })
+    }
+}
+
+/// A plane between two bins.
+struct Plane {
+    axis: usize,
+    /// The first bin on its right.
+    bin: usize,
+    /// a_left n_left + a_right n_right.
+    cost: f32,
+    left: Aabb,
+    right: Aabb,
+}
+
+/// The cheapest plane with items on both sides, the first of equally cheap ones.
+fn best_plane(bins: &Bins) -> Option<Plane> {
+    let mut best: Option<Plane> = None;
+    for (axis, bins) in bins.iter().enumerate() {
+        let mut right = [(Aabb::EMPTY, 0); BINS];
+        let mut sum = (Aabb::EMPTY, 0);
+        for (bin, right) in bins.iter().zip(&mut right).rev() {
+            sum = (sum.0.union(&bin.bounds), sum.1 + bin.count);
+            *right = sum;
+        }
+        let mut left = (Aabb::EMPTY, 0);
+        for bin in 1..BINS {
+            left = (left.0.union(&bins[bin - 1].bounds), left.1 + bins[bin - 1].count);
+            let right = right[bin];
+            if left.1 == 0 || right.1 == 0 {
+                continue;
+            }
+            let cost = left.0.surface_area() * left.1 as f32 + right.0.surface_area() * right.1 as f32;
+            if best.as_ref().is_none_or(|best| cost < best.cost) {
+                best = Some(Plane { axis, bin, cost, left: left.0, right: right.0 });
+            }
+        }
+    }
+    best
+}
+
+/// Moves the items for which `is_left` holds to the front and counts them.
+fn partition(items: &mut [Item], is_left: impl Fn(&Item) -> bool) -> usize {
+    let mut left = 0;
+    for i in 0..items.len() {
+        if is_left(&items[i]) {
+            items.swap(i, left);
+            left += 1;
+        }
+    }
+    left
+}
