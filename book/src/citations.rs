@@ -42,20 +42,15 @@ impl Preprocessor for Citations {
             let up = "../".repeat(path.components().count().saturating_sub(1));
             match link(&chapter.content, &keys, &up) {
                 Ok(content) => chapter.content = content,
-                Err(unknown) => errors.extend(
-                    unknown
-                        .iter()
-                        .map(|key| format!("\n  {}: [{key}]", path.display())),
-                ),
+                Err(unknown) => errors
+                    .extend(unknown.iter().map(|key| format!("\n  {}: [{key}]", path.display()))),
             }
         });
         if errors.is_empty() {
             Ok(book)
         } else {
             let list = errors.concat();
-            Err(Error::msg(format!(
-                "sources that {REFERENCES} does not list:{list}"
-            )))
+            Err(Error::msg(format!("sources that {REFERENCES} does not list:{list}")))
         }
     }
 
@@ -90,12 +85,7 @@ pub fn link(
     let mut copied = 0;
     let mut unknown = Vec::new();
     for (event, range) in parser.into_offset_iter() {
-        let Event::Start(Tag::Link {
-            link_type: LinkType::ShortcutUnknown,
-            id,
-            ..
-        }) = event
-        else {
+        let Event::Start(Tag::Link { link_type: LinkType::ShortcutUnknown, id, .. }) = event else {
             continue;
         };
         if !keys.contains(id.as_ref()) {
@@ -107,11 +97,7 @@ pub fn link(
         copied = range.end;
     }
     page.push_str(&markdown[copied..]);
-    if unknown.is_empty() {
-        Ok(page)
-    } else {
-        Err(unknown)
-    }
+    if unknown.is_empty() { Ok(page) } else { Err(unknown) }
 }
 
 /// A name and a year or an edition: a capital letter first, a digit last, letters and digits only.

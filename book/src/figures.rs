@@ -19,7 +19,7 @@ use crate::numbers::Numbers;
 use crate::picture::Picture;
 use crate::plot::Plot;
 use crate::table::Table;
-use crate::{Error, Result};
+use crate::{Error, Result, folder};
 
 /// Where the figures stand, seen from the book's folder.
 pub const FOLDER: &str = "pages/figures";
@@ -82,6 +82,13 @@ pub fn all() -> Vec<Figure> {
     .concat()
 }
 
+/// The scene file of a bare name like `whitted`, wherever the figures are made.
+#[must_use]
+pub fn scene_file(name: &str) -> PathBuf {
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../assets/scenes");
+    scenes.join(name).with_extension("toml")
+}
+
 /// Makes the figures of the book at `root` whose file name contains `only`, and writes those that
 /// differ from what is there.
 ///
@@ -100,11 +107,7 @@ pub fn make(root: &Path, only: &str) -> Result<()> {
                 format!("written: {difference}")
             }
         };
-        eprintln!(
-            "{} {what} ({:.1} s)",
-            figure.file,
-            start.elapsed().as_secs_f32()
-        );
+        eprintln!("{} {what} ({:.1} s)", figure.file, start.elapsed().as_secs_f32());
     }
     Ok(())
 }
@@ -128,41 +131,25 @@ pub fn check(root: &Path, only: &str) -> Result<String> {
         }
     }
     if only.is_empty() {
-        let made: BTreeSet<_> = figures
-            .iter()
-            .map(|figure| folder.join(figure.file))
-            .collect();
-        let unknown = files(&folder)?
-            .into_iter()
-            .filter(|file| !made.contains(file));
+        let made: BTreeSet<_> = figures.iter().map(|figure| folder.join(figure.file)).collect();
+        let unknown = folder::files(&folder)?.into_iter().filter(|file| !made.contains(file));
         differences.extend(unknown.map(|file| {
             let file = file.strip_prefix(&folder).unwrap_or(&file).display();
             format!("\n  {file}: no figure makes this file")
         }));
     }
     if differences.is_empty() {
-        Ok(format!(
-            "{} figures are what the stages make today",
-            figures.len()
-        ))
+        Ok(format!("{} figures are what the stages make today", figures.len()))
     } else {
         let list = differences.concat();
-        Err(Error::msg(format!(
-            "figures that have drifted (fresh ones: target/figures):{list}"
-        )))
+        Err(Error::msg(format!("figures that have drifted (fresh ones: target/figures):{list}")))
     }
 }
 
 fn matching(figures: &[Figure], only: &str) -> Result<Vec<Figure>> {
-    let found: Vec<_> = figures
-        .iter()
-        .copied()
-        .filter(|f| f.file.contains(only))
-        .collect();
+    let found: Vec<_> = figures.iter().copied().filter(|f| f.file.contains(only)).collect();
     if found.is_empty() {
-        return Err(Error::msg(format!(
-            "no figure's file name contains `{only}`"
-        )));
+        return Err(Error::msg(format!("no figure's file name contains `{only}`")));
     }
     Ok(found)
 }
@@ -183,11 +170,7 @@ fn difference(file: &Path, drawing: &Drawing) -> Option<String> {
 
 fn text_difference(old: &str, new: &str) -> Option<String> {
     let differs = |&(_, (old, new)): &(usize, (&str, &str))| old != new;
-    let pairs = old
-        .lines()
-        .chain([""])
-        .zip(new.lines().chain([""]))
-        .enumerate();
+    let pairs = old.lines().chain([""]).zip(new.lines().chain([""])).enumerate();
     match pairs.into_iter().find(differs) {
         Some((i, (old, new))) => Some(format!("line {}: `{old}` is now `{new}`", i + 1)),
         None if old != new => Some("its number of lines or its ending".to_owned()),
@@ -196,26 +179,10 @@ fn text_difference(old: &str, new: &str) -> Option<String> {
 }
 
 fn save(file: &Path, drawing: &Drawing) -> Result<()> {
-    if let Some(folder) = file.parent() {
-        fs::create_dir_all(folder)?;
-    }
     match drawing {
-        Drawing::Picture(picture) => picture.save(file),
-        Drawing::Text(text) => Ok(fs::write(file, text)?),
+        Drawing::Picture(picture) => folder::write(file, picture.png()?),
+        Drawing::Text(text) => folder::write(file, text),
     }
-}
-
-fn files(folder: &Path) -> Result<Vec<PathBuf>> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() {
-            found.extend(files(&path)?);
-        } else {
-            found.push(path);
-        }
-    }
-    Ok(found)
 }
 
 #[cfg(test)]
@@ -238,32 +205,14 @@ mod tests {
         let mut other = picture.clone();
         other.rgba[4] += 1;
         for (name, drawing, other) in [
-            (
-                "a/p.png",
-                Drawing::Picture(picture),
-                Drawing::Picture(other),
-            ),
-            (
-                "a/t.md",
-                Drawing::Text("x\n".into()),
-                Drawing::Text("y\n".into()),
-            ),
+            ("a/p.png", Drawing::Picture(picture), Drawing::Picture(other)),
+            ("a/t.md", Drawing::Text("x\n".into()), Drawing::Text("y\n".into())),
         ] {
             let file = folder.path().join(name);
-            assert!(
-                difference(&file, &drawing).is_some(),
-                "{name} does not exist yet"
-            );
+            assert!(difference(&file, &drawing).is_some(), "{name} does not exist yet");
             save(&file, &drawing).expect("the folder can be written");
-            assert_eq!(
-                difference(&file, &drawing),
-                None,
-                "{name} is what was saved"
-            );
-            assert!(
-                difference(&file, &other).is_some(),
-                "{name} is not the other one"
-            );
+            assert_eq!(difference(&file, &drawing), None, "{name} is what was saved");
+            assert!(difference(&file, &other).is_some(), "{name} is not the other one");
         }
     }
 

@@ -47,25 +47,22 @@ impl Preprocessor for Formulas {
     }
 }
 
-/// The page with every formula as MathML, or one sentence for each formula that has an error.
+/// The page with every formula as MathML.
 ///
 /// # Errors
 ///
-/// A formula that is not valid TeX math, or that refers to an equation number the page lacks.
+/// One sentence for each formula that is not valid TeX math, for each that cites an equation which
+/// the page lacks, and for each dollar sign that belongs to no formula.
 pub fn typeset(markdown: &str) -> std::result::Result<String, Vec<String>> {
     let lonely = lonely_dollars(markdown);
     if !lonely.is_empty() {
         return Err(lonely);
     }
     let formulas = find(markdown);
-    let snippets: Vec<_> = formulas
-        .iter()
-        .map(|f| (f.tex.as_str(), f.display))
-        .collect();
-    // Default settings hold no macros, and only macros can fail here.
-    let converter = LatexToMathML::new(MathCoreConfig::default()).map_err(|(error, ..)| {
-        vec![error.error_message()] //
-    })?;
+    let snippets: Vec<_> = formulas.iter().map(|f| (f.tex.as_str(), f.display)).collect();
+    // Default settings hold no macros, and only a macro can be wrong here.
+    let converter = LatexToMathML::new(MathCoreConfig::default())
+        .map_err(|(error, ..)| vec![error.error_message()])?;
 
     let mut page = String::with_capacity(markdown.len());
     let mut errors = Vec::new();
@@ -75,28 +72,22 @@ pub fn typeset(markdown: &str) -> std::result::Result<String, Vec<String>> {
         copied = formula.range.end;
         match result {
             Ok(math) if math.warnings.has_any() => {
-                errors.push(format!(
-                    "{}: unknown equation or command",
-                    formula.source(markdown)
-                ));
+                errors.push(format!("{}: unknown equation or command", formula.source(markdown)));
             }
-            Ok(math) => page.push_str(&formula.html(&math.mathml)),
+            Ok(math) => {
+                let follower = formula.follower(markdown);
+                page.push_str(&formula.html(&math.mathml, follower));
+                copied += follower.len();
+            }
             Err(error) => {
                 let mut reason = String::new();
                 error.to_message(&mut reason, &formula.tex);
-                errors.push(format!(
-                    "{}: at character {reason}",
-                    formula.source(markdown)
-                ));
+                errors.push(format!("{}: at character {reason}", formula.source(markdown)));
             }
         }
     }
     page.push_str(&markdown[copied..]);
-    if errors.is_empty() {
-        Ok(page)
-    } else {
-        Err(errors)
-    }
+    if errors.is_empty() { Ok(page) } else { Err(errors) }
 }
 
 /// The Markdown that mdBook 0.5 reads, with its default settings.
@@ -124,11 +115,20 @@ impl Formula {
         &markdown[self.range.clone()]
     }
 
-    fn html(&self, mathml: &str) -> String {
+    /// The punctuation mark right behind an inline formula, which must not begin the next line.
+    fn follower<'a>(&self, markdown: &'a str) -> &'a str {
+        let rest = &markdown[self.range.end..];
+        let is_mark = rest.starts_with(['.', ',', ';', ':', '?', ')']);
+        if is_mark && self.display == MathDisplay::Inline { &rest[..1] } else { "" }
+    }
+
+    fn html(&self, mathml: &str, follower: &str) -> String {
+        let math = shield(mathml);
         match self.display {
-            MathDisplay::Inline => shield(mathml),
+            MathDisplay::Inline if follower.is_empty() => math,
+            MathDisplay::Inline => format!("<span class=\"tied\">{math}{follower}</span>"),
             // A wide formula scrolls inside its own line instead of widening the page.
-            MathDisplay::Block => format!("<span class=\"formula\">{}</span>", shield(mathml)),
+            MathDisplay::Block => format!("<span class=\"formula\">{math}</span>"),
         }
     }
 }
@@ -142,11 +142,7 @@ fn find(markdown: &str) -> Vec<Formula> {
                 Event::DisplayMath(tex) => (tex, MathDisplay::Block),
                 _ => return None,
             };
-            Some(Formula {
-                range,
-                tex: tex.into_string(),
-                display,
-            })
+            Some(Formula { range, tex: tex.into_string(), display })
         })
         .collect()
 }
@@ -165,9 +161,7 @@ fn lonely_dollars(markdown: &str) -> Vec<String> {
             Event::Text(text) if text.contains('$') && !in_code => {
                 let is_escaped = markdown[..range.start].ends_with('\\');
                 if !is_escaped || text.matches('$').count() > 1 {
-                    lonely.push(format!(
-                        "`{text}`: a dollar sign around no formula; money is \\$"
-                    ));
+                    lonely.push(format!("`{text}`: a dollar sign around no formula; money is \\$"));
                 }
             }
             _ => {}
@@ -219,6 +213,14 @@ mod tests {
     }
 
     #[test]
+    fn a_full_stop_stays_with_its_formula() {
+        let page = set("In $x$, or $y$ and (in $z$).");
+        assert_eq!(page.matches("</math>,</span> or").count(), 1, "{page}");
+        assert_eq!(page.matches("</math>)</span>.").count(), 1, "{page}");
+        assert_eq!(page.matches("class=\"tied\"").count(), 2, "{page}");
+    }
+
+    #[test]
     fn dollars_in_code_stay_as_they_are() {
         let page = "A span `$x$`, a block\n\n```sh\necho $HOME $PATH\n```\n\n    $a$ indented\n";
         assert_eq!(set(page), page, "code is not math");
@@ -232,12 +234,7 @@ mod tests {
 
     #[test]
     fn a_dollar_that_belongs_to_no_formula_is_an_error() {
-        for page in [
-            "It costs $5.",
-            "$ x $",
-            "$$\\frac{1}{2$$",
-            "| $a|b$ |\n|---|\n| $ |",
-        ] {
+        for page in ["It costs $5.", "$ x $", "$$\\frac{1}{2$$", "| $a|b$ |\n|---|\n| $ |"] {
             let errors = typeset(page).expect_err("the dollars have no partner");
             assert!(errors[0].contains("\\$"), "{errors:?}");
         }
@@ -247,11 +244,7 @@ mod tests {
     fn a_formula_in_a_table_leaves_the_other_cells_alone() {
         let page = set("| a | b |\n|---|---|\n| $\\lvert x \\rvert$ | `$` |\n");
         assert!(page.ends_with(" | `$` |\n"), "{page}");
-        assert_eq!(
-            page.lines().last().map(|l| l.matches('|').count()),
-            Some(3),
-            "{page}"
-        );
+        assert_eq!(page.lines().last().map(|l| l.matches('|').count()), Some(3), "{page}");
     }
 
     #[test]
@@ -279,10 +272,6 @@ mod tests {
 
     #[test]
     fn markdown_cannot_see_the_punctuation_of_a_formula() {
-        assert_eq!(
-            shield("<mo a=\"*\">*</mo>&lt;"),
-            "<mo a=\"*\">&#42;</mo>&lt;",
-            "shielded"
-        );
+        assert_eq!(shield("<mo a=\"*\">*</mo>&lt;"), "<mo a=\"*\">&#42;</mo>&lt;", "shielded");
     }
 }

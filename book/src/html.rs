@@ -55,18 +55,14 @@ impl Page {
                 "style" => self.references.extend(fetched(css_addresses(value))),
                 "href" | "src" | "poster" | "data" | "xlink:href" => {
                     let is_hyperlink = tag.name == "a" && name == "href";
-                    self.references.push(Reference {
-                        address: value.clone(),
-                        is_hyperlink,
-                    });
+                    self.references.push(Reference { address: value.clone(), is_hyperlink });
                 }
                 _ => {}
             }
         }
         let describes = |(name, value): &(String, String)| name == "alt" && !value.is_empty();
         if tag.name == "img" && !tag.attributes.iter().any(describes) {
-            self.undescribed
-                .push(tag.attribute("src").unwrap_or_default().to_owned());
+            self.undescribed.push(tag.attribute("src").unwrap_or_default().to_owned());
         }
     }
 }
@@ -82,24 +78,17 @@ pub fn css_addresses(css: &str) -> Vec<String> {
     let imports = css.match_indices("@import").filter_map(|(start, _)| {
         let inside = css[start + 7..].trim_start();
         let quoted = inside.starts_with(['"', '\'']);
-        inside
-            .find(';')
-            .filter(|_| quoted)
-            .map(|end| unquote(&inside[..end]))
+        inside.find(';').filter(|_| quoted).map(|end| unquote(&inside[..end]))
     });
     urls.chain(imports).collect()
 }
 
 fn fetched(addresses: Vec<String>) -> impl Iterator<Item = Reference> {
-    addresses.into_iter().map(|address| Reference {
-        address,
-        is_hyperlink: false,
-    })
+    addresses.into_iter().map(|address| Reference { address, is_hyperlink: false })
 }
 
 fn after<'a>(text: &'a str, mark: &str) -> &'a str {
-    text.find(mark)
-        .map_or("", |start| &text[start + mark.len()..])
+    text.find(mark).map_or("", |start| &text[start + mark.len()..])
 }
 
 /// An opening tag; of a closing one only the slash that its name starts with matters.
@@ -124,9 +113,7 @@ impl Tag {
                 let length = text.len() - rest.len() + rest.len().min(1);
                 return (tag, length);
             }
-            let end = rest
-                .find(|c| is_space_or_end(c) || c == '=')
-                .unwrap_or(rest.len());
+            let end = rest.find(|c| is_space_or_end(c) || c == '=').unwrap_or(rest.len());
             let name = rest[..end.max(1)].to_ascii_lowercase();
             rest = &rest[end.max(1)..];
             let value;
@@ -136,10 +123,7 @@ impl Tag {
     }
 
     fn attribute(&self, name: &str) -> Option<&str> {
-        self.attributes
-            .iter()
-            .find(|(n, _)| n == name)
-            .map(|(_, value)| value.as_str())
+        self.attributes.iter().find(|(n, _)| n == name).map(|(_, value)| value.as_str())
     }
 }
 
@@ -156,13 +140,7 @@ fn attribute_value(text: &str) -> (String, &str) {
             text.split_at(text.find(is_end).unwrap_or(text.len()))
         }
     };
-    (
-        value
-            .replace("&amp;", "&")
-            .replace("&quot;", "\"")
-            .replace("&#39;", "'"),
-        rest,
-    )
+    (value.replace("&amp;", "&").replace("&quot;", "\"").replace("&#39;", "'"), rest)
 }
 
 #[cfg(test)]
@@ -178,31 +156,15 @@ mod tests {
         );
         let addresses: Vec<_> = page.references.iter().map(|r| r.address.as_str()).collect();
         assert_eq!(page.ids, ["top"], "ids");
-        assert_eq!(
-            addresses,
-            ["a.html?q=1&r", "p.png", "q.png", "c.png"],
-            "addresses"
-        );
+        assert_eq!(addresses, ["a.html?q=1&r", "p.png", "q.png", "c.png"], "addresses");
         assert!(page.references[0].is_hyperlink, "the reader follows <a>");
-        assert!(
-            !page.references[1].is_hyperlink,
-            "the browser fetches <img>"
-        );
+        assert!(!page.references[1].is_hyperlink, "the browser fetches <img>");
         assert_eq!(page.undescribed, ["q.png"], "a picture without alt");
     }
 
     #[test]
     fn broken_html_ends_the_search_quietly() {
-        for html in [
-            "<",
-            "<a",
-            "<a href",
-            "<a href=",
-            "<a href=\"x",
-            "<!-- ",
-            "< >",
-            "<a =>",
-        ] {
+        for html in ["<", "<a", "<a href", "<a href=", "<a href=\"x", "<!-- ", "< >", "<a =>"] {
             let page = Page::parse(html);
             assert!(page.ids.is_empty(), "{html}: {page:?}");
         }
@@ -211,10 +173,6 @@ mod tests {
     #[test]
     fn style_sheets_fetch_by_url_and_import() {
         let css = "@import 'a.css'; @import url(b.css); i { src: url( 'c.woff2' ) }";
-        assert_eq!(
-            css_addresses(css),
-            ["b.css", "c.woff2", "a.css"],
-            "three addresses"
-        );
+        assert_eq!(css_addresses(css), ["b.css", "c.woff2", "a.css"], "three addresses");
     }
 }

@@ -7,7 +7,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::{Error, Result};
+use crate::{Error, Result, folder};
 
 /// Checks the includes of every Markdown file under `source`, and lists all that are broken.
 ///
@@ -17,10 +17,11 @@ use crate::{Error, Result};
 /// names line numbers; or a page that cannot be read.
 pub fn check(source: &Path) -> Result<()> {
     let mut broken = Vec::new();
-    for page in markdown_files(source)? {
-        let folder = page.parent().unwrap_or(source);
-        for target in targets(&fs::read_to_string(&page)?) {
-            if let Err(reason) = resolve(folder, &target) {
+    let is_page = |file: &PathBuf| file.extension().is_some_and(|extension| extension == "md");
+    for page in folder::files(source)?.into_iter().filter(is_page) {
+        let from = page.parent().unwrap_or(source);
+        for target in targets(&folder::read(&page)?) {
+            if let Err(reason) = resolve(from, &target) {
                 let page = page.strip_prefix(source).unwrap_or(&page).display();
                 broken.push(format!("\n  {page}: {{{{#include {target}}}}}: {reason}"));
             }
@@ -29,10 +30,7 @@ pub fn check(source: &Path) -> Result<()> {
     if broken.is_empty() {
         Ok(())
     } else {
-        Err(Error::msg(format!(
-            "includes that show nothing:{}",
-            broken.concat()
-        )))
+        Err(Error::msg(format!("includes that show nothing:{}", broken.concat())))
     }
 }
 
@@ -45,10 +43,7 @@ fn targets(markdown: &str) -> Vec<String> {
             continue;
         };
         let mut words = inside[..end].split_whitespace();
-        let is_include = matches!(
-            words.next(),
-            Some("include" | "rustdoc_include" | "playground")
-        );
+        let is_include = matches!(words.next(), Some("include" | "rustdoc_include" | "playground"));
         if let (true, false, Some(target)) =
             (is_include, markdown[..start].ends_with('\\'), words.next())
         {
@@ -91,29 +86,11 @@ fn region(text: &str, name: &str) -> std::result::Result<(), &'static str> {
     let mut empty = true;
     for line in lines {
         if marks(line, "ANCHOR_END:") {
-            return if empty {
-                Err("the anchor's region is empty")
-            } else {
-                Ok(())
-            };
+            return if empty { Err("the anchor's region is empty") } else { Ok(()) };
         }
         empty &= line.trim().is_empty() || line.contains("ANCHOR");
     }
     Err("the anchor has no ANCHOR_END")
-}
-
-fn markdown_files(folder: &Path) -> Result<Vec<PathBuf>> {
-    let mut files = Vec::new();
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() {
-            files.extend(markdown_files(&path)?);
-        } else if path.extension().is_some_and(|extension| extension == "md") {
-            files.push(path);
-        }
-    }
-    files.sort();
-    Ok(files)
 }
 
 #[cfg(test)]
@@ -138,10 +115,7 @@ fn g() {}
         assert_eq!(region(CODE, "full"), Ok(()), "a good anchor");
         assert!(region(CODE, "empty").is_err(), "nothing between the marks");
         assert!(region(CODE, "full-open").is_err(), "no end mark");
-        assert!(
-            region(CODE, "ful").is_err(),
-            "a prefix of a name is another name"
-        );
+        assert!(region(CODE, "ful").is_err(), "a prefix of a name is another name");
         assert!(region(CODE, "absent").is_err(), "no such name");
     }
 
@@ -161,17 +135,9 @@ fn g() {}
         write("good.md", "{{#include code.rs:full}} {{#include code.rs}}");
         check(folder.path()).expect("both includes are good");
 
-        write(
-            "bad.md",
-            "{{#include code.rs:gone}} {{#include no.rs}} {{#include code.rs:2:3}}",
-        );
-        let message = check(folder.path())
-            .expect_err("three are broken")
-            .to_string();
+        write("bad.md", "{{#include code.rs:gone}} {{#include no.rs}} {{#include code.rs:2:3}}");
+        let message = check(folder.path()).expect_err("three are broken").to_string();
         assert_eq!(message.lines().count(), 4, "{message}");
-        assert!(
-            message.contains("bad.md: {{#include code.rs:gone}}: no such anchor"),
-            "{message}"
-        );
+        assert!(message.contains("bad.md: {{#include code.rs:gone}}: no such anchor"), "{message}");
     }
 }

@@ -9,10 +9,13 @@
 //! | [`html`], [`links`] | every link of the built pages leads somewhere, and nothing is fetched from outside |
 //! | [`figures`] | the table of figures: make them, or check that they have not drifted |
 //! | [`measurements`] | the tables of run times, refreshed by hand |
-//! | [`picture`], [`plot`], [`table`], [`numbers`] | what a figure can be |
+//! | [`warnings`], [`folder`] | what mdBook logs; files and folders |
+//! | [`picture`], [`plot`], [`axis`], [`table`], [`numbers`] | what a figure can be |
 
+pub mod axis;
 pub mod citations;
 pub mod figures;
+pub mod folder;
 pub mod formulas;
 pub mod html;
 pub mod includes;

@@ -1,11 +1,10 @@
 //! Links: every address in the built pages must lead somewhere, and none outside but for reading.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use crate::html::{Page, Reference, css_addresses};
-use crate::{Error, Result};
+use crate::{Error, Result, folder};
 
 /// Checks all HTML pages and style sheets under `site`; returns how many addresses it followed.
 ///
@@ -18,11 +17,11 @@ use crate::{Error, Result};
 /// One line for each address that breaks one of these rules; or a file that cannot be read.
 pub fn check(site: &Path) -> Result<usize> {
     let mut pages = BTreeMap::new();
-    for path in files(site)? {
+    for path in folder::files(site)? {
         let relative = path.strip_prefix(site).unwrap_or(&path).to_path_buf();
         let page = match path.extension().and_then(|extension| extension.to_str()) {
-            Some("html") => Page::parse(&fs::read_to_string(&path)?),
-            Some("css") => style_sheet(&fs::read_to_string(&path)?),
+            Some("html") => Page::parse(&folder::read(&path)?),
+            Some("css") => style_sheet(&folder::read(&path)?),
             _ => Page::default(),
         };
         pages.insert(relative, page);
@@ -31,41 +30,24 @@ pub fn check(site: &Path) -> Result<usize> {
     let mut broken = Vec::new();
     for (path, page) in &pages {
         let reasons = page.references.iter().filter_map(|r| {
-            follow(&pages, path, r)
-                .err()
-                .map(|reason| format!("{}: {reason}", r.address))
+            follow(&pages, path, r).err().map(|reason| format!("{}: {reason}", r.address))
         });
-        let undescribed = page
-            .undescribed
-            .iter()
-            .map(|picture| format!("{picture}: a picture without alt text"));
+        let undescribed =
+            page.undescribed.iter().map(|picture| format!("{picture}: a picture without alt text"));
         let path = path.display();
-        broken.extend(
-            reasons
-                .chain(undescribed)
-                .map(|reason| format!("\n  {path}: {reason}")),
-        );
+        broken.extend(reasons.chain(undescribed).map(|reason| format!("\n  {path}: {reason}")));
     }
     if broken.is_empty() {
         Ok(pages.values().map(|page| page.references.len()).sum())
     } else {
-        Err(Error::msg(format!(
-            "addresses that lead nowhere:{}",
-            broken.concat()
-        )))
+        Err(Error::msg(format!("addresses that lead nowhere:{}", broken.concat())))
     }
 }
 
 fn style_sheet(css: &str) -> Page {
-    let fetched = |address| Reference {
-        address,
-        is_hyperlink: false,
-    };
+    let fetched = |address| Reference { address, is_hyperlink: false };
     let references = css_addresses(css).into_iter().map(fetched).collect();
-    Page {
-        references,
-        ..Page::default()
-    }
+    Page { references, ..Page::default() }
 }
 
 fn follow(
@@ -91,11 +73,8 @@ fn follow(
     let path = path.split('?').next().unwrap_or_default();
     let target = match path {
         "" => from.to_path_buf(),
-        path => join(
-            from.parent().unwrap_or(Path::new("")),
-            &percent_decoded(path),
-        )
-        .ok_or("leads out of the book")?,
+        path => join(from.parent().unwrap_or(Path::new("")), &percent_decoded(path))
+            .ok_or("leads out of the book")?,
     };
     let page = pages.get(&target).ok_or("no such file")?;
     let place = percent_decoded(place);
@@ -129,9 +108,7 @@ fn percent_decoded(text: &str) -> String {
     let mut bytes = Vec::with_capacity(text.len());
     let mut rest = text.as_bytes();
     while let [first, tail @ ..] = rest {
-        let code = tail
-            .get(..2)
-            .and_then(|digits| std::str::from_utf8(digits).ok());
+        let code = tail.get(..2).and_then(|digits| std::str::from_utf8(digits).ok());
         match code.and_then(|digits| u8::from_str_radix(digits, 16).ok()) {
             Some(byte) if *first == b'%' => {
                 bytes.push(byte);
@@ -144,19 +121,6 @@ fn percent_decoded(text: &str) -> String {
         }
     }
     String::from_utf8_lossy(&bytes).into_owned()
-}
-
-fn files(folder: &Path) -> Result<Vec<PathBuf>> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() {
-            found.extend(files(&path)?);
-        } else {
-            found.push(path);
-        }
-    }
-    Ok(found)
 }
 
 #[cfg(test)]
@@ -175,26 +139,15 @@ mod tests {
         }
         match check(site.path()) {
             Ok(_) => Vec::new(),
-            Err(error) => error
-                .to_string()
-                .lines()
-                .skip(1)
-                .map(str::to_owned)
-                .collect(),
+            Err(error) => error.to_string().lines().skip(1).map(str::to_owned).collect(),
         }
     }
 
     #[test]
     fn good_links_pass() {
         let broken = broken(&[
-            (
-                "a.html",
-                "<a href='b/c.html#x'>c</a><a href='#y'>y</a><i id=y></i>",
-            ),
-            (
-                "b/c.html",
-                "<i id=x></i><img src='../p%20q.png' alt='p'><a href='https://x.y'>o</a>",
-            ),
+            ("a.html", "<a href='b/c.html#x'>c</a><a href='#y'>y</a><i id=y></i>"),
+            ("b/c.html", "<i id=x></i><img src='../p%20q.png' alt='p'><a href='https://x.y'>o</a>"),
             ("p q.png", ""),
         ]);
         assert!(broken.is_empty(), "{broken:?}");
@@ -203,14 +156,8 @@ mod tests {
     #[test]
     fn every_broken_link_is_named() {
         let broken = broken(&[
-            (
-                "a.html",
-                "<a href='b.html'></a><a href='#no'></a><a href='../up.html'></a>",
-            ),
-            (
-                "c.html",
-                "<img src='a.html'><script src='https://x.y/z.js'></script>",
-            ),
+            ("a.html", "<a href='b.html'></a><a href='#no'></a><a href='../up.html'></a>"),
+            ("c.html", "<img src='a.html'><script src='https://x.y/z.js'></script>"),
             ("d.css", "b { background: url(//x.y/z.png) }"),
         ]);
         assert_eq!(broken.len(), 6, "{broken:#?}");
@@ -218,10 +165,7 @@ mod tests {
 
     #[test]
     fn paths_are_joined_without_leaving_the_book() {
-        assert_eq!(
-            join(Path::new("a/b"), "../c.html").as_deref(),
-            Some(Path::new("a/c.html"))
-        );
+        assert_eq!(join(Path::new("a/b"), "../c.html").as_deref(), Some(Path::new("a/c.html")));
         assert_eq!(join(Path::new(""), "../c.html"), None, "above the book");
         assert_eq!(percent_decoded("a%20%zz%"), "a %zz%", "decoded");
     }

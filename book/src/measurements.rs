@@ -11,7 +11,7 @@ use std::thread;
 use std::time::Instant;
 
 use crate::table::Table;
-use crate::{Error, Result};
+use crate::{Error, Result, folder};
 
 /// Where the measurements stand, seen from the book's folder.
 pub const FOLDER: &str = "pages/measurements";
@@ -43,27 +43,17 @@ pub fn take(root: &Path, only: &str) -> Result<()> {
             "measure what users run: cargo run --release -p book -- measurements",
         ));
     }
-    let chosen: Vec<_> = all()
-        .into_iter()
-        .filter(|m| m.file.contains(only))
-        .collect();
+    let chosen: Vec<_> = all().into_iter().filter(|m| m.file.contains(only)).collect();
     if chosen.is_empty() {
-        return Err(Error::msg(format!(
-            "no measurement's file name contains `{only}`"
-        )));
+        return Err(Error::msg(format!("no measurement's file name contains `{only}`")));
     }
     let cores = thread::available_parallelism()?;
     let machine = format!("Measured on: {}, {cores} threads.", processor());
     for measurement in chosen {
         eprintln!("{} …", measurement.file);
+        let table = (measurement.take)().markdown();
         let file = root.join(FOLDER).join(measurement.file);
-        if let Some(folder) = file.parent() {
-            fs::create_dir_all(folder)?;
-        }
-        fs::write(
-            file,
-            format!("{}\n{machine}\n", (measurement.take)().markdown()),
-        )?;
+        folder::write(&file, format!("{table}\n{machine}\n"))?;
     }
     Ok(())
 }
@@ -107,9 +97,7 @@ mod tests {
     fn one_slow_run_does_not_move_the_median() {
         let mut pauses = [1, 1, 60, 1].into_iter();
         let median = median_seconds(3, || {
-            sleep(Duration::from_millis(
-                pauses.next().expect("one pause for each run"),
-            ));
+            sleep(Duration::from_millis(pauses.next().expect("one pause for each run")));
         });
         assert!((0.001..0.06).contains(&median), "the median is {median} s");
     }

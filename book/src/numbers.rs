@@ -20,14 +20,8 @@ impl Numbers {
     /// If the name is taken, or has other characters than letters, digits, `-` and `_`.
     pub fn add(&mut self, name: &'static str, value: impl Display) {
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-        assert!(
-            !name.is_empty() && name.chars().all(plain),
-            "`{name}` cannot name an anchor"
-        );
-        assert!(
-            self.0.iter().all(|(other, _)| *other != name),
-            "`{name}` is there already"
-        );
+        assert!(!name.is_empty() && name.chars().all(plain), "`{name}` cannot name an anchor");
+        assert!(self.0.iter().all(|(other, _)| *other != name), "`{name}` is there already");
         self.0.push((name, value.to_string()));
     }
 

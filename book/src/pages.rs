@@ -1,5 +1,6 @@
 //! The pages: from the folder `book` to the folder `target/book`.
 
+use std::env;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -22,16 +23,12 @@ pub fn build(root: &Path) -> Result<PathBuf> {
     // mdBook would warn about some broken includes too, but say less.
     let mut book = MDBook::load(root)?;
     includes::check(&book.source_dir())?;
-    book.with_preprocessor(Formulas)
-        .with_preprocessor(Citations);
+    book.with_preprocessor(Formulas).with_preprocessor(Citations);
 
     let (built, warnings) = warnings::collect(|| book.build());
     built?;
     if !warnings.is_empty() {
-        return Err(Error::msg(format!(
-            "mdBook warns:\n  {}",
-            warnings.join("\n  ")
-        )));
+        return Err(Error::msg(format!("mdBook warns:\n  {}", warnings.join("\n  "))));
     }
     let site = site(&book);
     links::check(&site)?;
@@ -61,8 +58,10 @@ pub fn check(root: &Path) -> Result<String> {
 ///
 /// What the preprocessor finds, or input from a version of mdBook that writes the book differently.
 pub fn answer(preprocessor: &impl Preprocessor) -> Result<()> {
-    let (context, book) = parse_input(io::stdin())
+    let (mut context, book) = parse_input(io::stdin())
         .map_err(|error| error.context("the book needs mdbook 0.5: `cargo run -p book` has it"))?;
+    // mdBook starts its commands in the book's folder, and may name that folder relative to its own.
+    context.root = env::current_dir()?;
     let processed = preprocessor.run(&context, book)?;
     serde_json::to_writer(io::stdout(), &processed)?;
     Ok(())

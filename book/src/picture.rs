@@ -1,7 +1,5 @@
 //! Pictures: 8-bit pixels, as a browser shows them.
 
-use std::fs::File;
-use std::io::BufWriter;
 use std::path::Path;
 
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
@@ -36,17 +34,8 @@ impl Picture {
     #[must_use]
     pub fn new(width: u32, height: u32, rgba: Vec<u8>) -> Self {
         let pixels = width as usize * height as usize;
-        assert_eq!(
-            rgba.len(),
-            4 * pixels,
-            "{} bytes for {width}×{height}",
-            rgba.len()
-        );
-        Self {
-            width,
-            height,
-            rgba,
-        }
+        assert_eq!(rgba.len(), 4 * pixels, "{} bytes for {width}×{height}", rgba.len());
+        Self { width, height, rgba }
     }
 
     /// Pictures next to each other, tops aligned, with `gap` transparent pixels between them.
@@ -95,11 +84,7 @@ impl Picture {
             self.height
         );
         let pixels = (y..y + height).flat_map(|y| (x..x + width).map(move |x| (x, y)));
-        Self::new(
-            width,
-            height,
-            pixels.flat_map(|(x, y)| self.pixel(x, y)).collect(),
-        )
+        Self::new(width, height, pixels.flat_map(|(x, y)| self.pixel(x, y)).collect())
     }
 
     /// Each pixel as a square of `factor` × `factor`, so that a reader can count them.
@@ -107,23 +92,14 @@ impl Picture {
     pub fn enlarged(&self, factor: u32) -> Self {
         let [width, height] = [self.width * factor, self.height * factor];
         let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x / factor, y / factor)));
-        Self::new(
-            width,
-            height,
-            pixels.flat_map(|(x, y)| self.pixel(x, y)).collect(),
-        )
+        Self::new(width, height, pixels.flat_map(|(x, y)| self.pixel(x, y)).collect())
     }
 
     /// Red, green, blue and opacity of a pixel; (0, 0) is on the top left.
     #[must_use]
     pub fn pixel(&self, x: u32, y: u32) -> [u8; 4] {
         let i = self.index(x, y);
-        [
-            self.rgba[i],
-            self.rgba[i + 1],
-            self.rgba[i + 2],
-            self.rgba[i + 3],
-        ]
+        [self.rgba[i], self.rgba[i + 1], self.rgba[i + 2], self.rgba[i + 3]]
     }
 
     /// Reads a PNG file.
@@ -136,26 +112,23 @@ impl Picture {
         Ok(Self::new(image.width(), image.height(), image.into_raw()))
     }
 
-    /// Writes a PNG file, without the opacity if the whole picture is opaque.
+    /// The picture as a PNG file, without the opacity if the whole picture is opaque.
     ///
     /// # Errors
     ///
-    /// The file cannot be written.
-    pub fn save(&self, file: &Path) -> Result<()> {
-        let writer = BufWriter::new(File::create(file)?);
-        let encoder =
-            PngEncoder::new_with_quality(writer, CompressionType::Best, FilterType::Adaptive);
+    /// The encoder refuses, for example a picture without pixels.
+    pub fn png(&self) -> Result<Vec<u8>> {
         let is_opaque = self.rgba.chunks_exact(4).all(|pixel| pixel[3] == 255);
         let (bytes, kind) = if is_opaque {
-            let rgb = self
-                .rgba
-                .chunks_exact(4)
-                .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]);
+            let rgb = self.rgba.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]);
             (rgb.collect(), ExtendedColorType::Rgb8)
         } else {
             (self.rgba.clone(), ExtendedColorType::Rgba8)
         };
-        Ok(encoder.write_image(&bytes, self.width, self.height, kind)?)
+        let mut file = Vec::new();
+        PngEncoder::new_with_quality(&mut file, CompressionType::Best, FilterType::Adaptive)
+            .write_image(&bytes, self.width, self.height, kind)?;
+        Ok(file)
     }
 
     /// How `new` differs from this picture, in words; `None` if every pixel is the same.
@@ -163,10 +136,7 @@ impl Picture {
     pub fn difference(&self, new: &Self) -> Option<String> {
         if [self.width, self.height] != [new.width, new.height] {
             let [w, h] = [self.width, self.height];
-            return Some(format!(
-                "{w}×{h} pixels are now {}×{}",
-                new.width, new.height
-            ));
+            return Some(format!("{w}×{h} pixels are now {}×{}", new.width, new.height));
         }
         let pairs = self.rgba.chunks_exact(4).zip(new.rgba.chunks_exact(4));
         let differing: Vec<_> = pairs.enumerate().filter(|(_, (a, b))| a != b).collect();
@@ -177,9 +147,7 @@ impl Picture {
         let largest = differing.iter().filter_map(step).max().unwrap_or(0);
         let [x, y] = [first % self.width as usize, first / self.width as usize];
         let count = differing.len();
-        Some(format!(
-            "{count} pixels differ, by up to {largest} of 255, the first at ({x}, {y})"
-        ))
+        Some(format!("{count} pixels differ, by up to {largest} of 255, the first at ({x}, {y})"))
     }
 
     fn transparent(width: u32, height: u32) -> Self {
@@ -211,6 +179,14 @@ mod tests {
     }
 
     #[test]
+    fn a_render_looks_as_its_png_file_would() {
+        let pixels = vec![[0.0, 0.5, 2.0], [-1.0, 1.0, 0.18]];
+        let image = workbench::Image { width: 2, height: 1, pixels };
+        let picture = Picture::from(&image);
+        assert_eq!(picture.rgba, [0, 188, 255, 255, 0, 255, 118, 255], "clamped sRGB, opaque");
+    }
+
+    #[test]
     fn strips_and_piles_keep_every_pixel() {
         let strip = Picture::side_by_side(&[counted(2, 1), counted(1, 2)], 3);
         assert_eq!([strip.width, strip.height], [6, 2], "size of the strip");
@@ -226,16 +202,8 @@ mod tests {
     #[test]
     fn parts_and_enlargements_show_the_same_pixels() {
         let picture = counted(4, 3);
-        assert_eq!(
-            picture.crop([1, 1], [2, 2]).pixel(1, 1),
-            picture.pixel(2, 2),
-            "a part"
-        );
-        assert_eq!(
-            picture.enlarged(3).pixel(11, 8),
-            picture.pixel(3, 2),
-            "an enlargement"
-        );
+        assert_eq!(picture.crop([1, 1], [2, 2]).pixel(1, 1), picture.pixel(2, 2), "a part");
+        assert_eq!(picture.enlarged(3).pixel(11, 8), picture.pixel(3, 2), "an enlargement");
     }
 
     #[test]
@@ -245,10 +213,7 @@ mod tests {
         new.rgba[4 * 6] += 2;
         assert_eq!(old.difference(&old), None, "the same picture");
         let difference = old.difference(&new).expect("one byte differs");
-        assert_eq!(
-            difference,
-            "1 pixels differ, by up to 2 of 255, the first at (2, 1)"
-        );
+        assert_eq!(difference, "1 pixels differ, by up to 2 of 255, the first at (2, 1)");
         assert!(old.difference(&counted(3, 4)).is_some(), "another size");
     }
 }

@@ -11,10 +11,7 @@ impl Table {
     /// A table without rows.
     #[must_use]
     pub fn new(header: &[&str]) -> Self {
-        Self {
-            header: header.iter().map(|&cell| cell.to_owned()).collect(),
-            rows: Vec::new(),
-        }
+        Self { header: header.iter().map(|&cell| cell.to_owned()).collect(), rows: Vec::new() }
     }
 
     /// Adds a row.
@@ -25,10 +22,7 @@ impl Table {
     pub fn row<S: Into<String>>(&mut self, cells: impl IntoIterator<Item = S>) {
         let cells: Vec<String> = cells.into_iter().map(Into::into).collect();
         let (n, columns) = (cells.len(), self.header.len());
-        assert_eq!(
-            n, columns,
-            "a row of {n} cells in a table of {columns} columns: {cells:?}"
-        );
+        assert_eq!(n, columns, "a row of {n} cells in a table of {columns} columns: {cells:?}");
         self.rows.push(cells);
     }
 
@@ -36,15 +30,10 @@ impl Table {
     #[must_use]
     pub fn markdown(&self) -> String {
         let line = |cells: &[String]| {
-            let cells = cells
-                .iter()
-                .map(|cell| format!(" {} |", cell.replace('|', "\\|")));
+            let cells = cells.iter().map(|cell| format!(" {} |", cell.replace('|', "\\|")));
             format!("|{}\n", cells.collect::<String>())
         };
-        let border = format!(
-            "|---|{}\n",
-            "---:|".repeat(self.header.len().saturating_sub(1))
-        );
+        let border = format!("|---|{}\n", "---:|".repeat(self.header.len().saturating_sub(1)));
         let rows: String = self.rows.iter().map(|row| line(row)).collect();
         format!("{}{border}{rows}", line(&self.header))
     }
@@ -56,7 +45,7 @@ pub fn count(n: u64) -> String {
     let digits = n.to_string();
     let mut grouped = String::with_capacity(2 * digits.len());
     for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i) % 3 == 0 {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
             // A narrow space at which no line breaks.
             grouped.push('\u{202f}');
         }

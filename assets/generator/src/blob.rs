@@ -38,17 +38,10 @@ impl Surface for Blob {
             sectors.clone().into_iter().map(move |sector| {
                 let r = 1.0 + coarse * sector.sin_8_phi + fine * sector.sin_29_phi;
                 let across = r * sin_theta;
-                [
-                    across * sector.cos_phi,
-                    r * cos_theta,
-                    across * sector.sin_phi,
-                ]
+                [across * sector.cos_phi, r * cos_theta, across * sector.sin_phi]
             })
         });
-        [[0.0, 1.0, 0.0]]
-            .into_iter()
-            .chain(rings)
-            .chain([[0.0, -1.0, 0.0]])
+        [[0.0, 1.0, 0.0]].into_iter().chain(rings).chain([[0.0, -1.0, 0.0]])
     }
 
     fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {

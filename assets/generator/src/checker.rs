@@ -17,10 +17,6 @@ pub fn checker(tiles: u32, size: u32) -> image::RgbImage {
     const YELLOW: image::Rgb<u8> = image::Rgb([252, 222, 72]);
     let tile = size / tiles;
     image::RgbImage::from_fn(size, size, |x, y| {
-        if (x / tile + y / tile).is_multiple_of(2) {
-            RED
-        } else {
-            YELLOW
-        }
+        if (x / tile + y / tile).is_multiple_of(2) { RED } else { YELLOW }
     })
 }

@@ -19,10 +19,7 @@ impl From<f64> for Decimal {
     /// Rounds to the nearest; `x` is finite and smaller than 10⁸ scene units.
     fn from(x: f64) -> Self {
         debug_assert!(x.abs() < 1e8, "coordinate {x} does not fit seven decimals");
-        Self {
-            units: (x.abs() * UNITS).round() as u64,
-            negative: x.is_sign_negative(),
-        }
+        Self { units: (x.abs() * UNITS).round() as u64, negative: x.is_sign_negative() }
     }
 }
 
@@ -87,16 +84,7 @@ mod tests {
 
     #[test]
     fn the_text_is_what_the_standard_library_writes() {
-        let numbers = [
-            0.0,
-            1.0,
-            0.1,
-            -1.0 / 3.0,
-            12.5,
-            0.000_000_06,
-            -50.0,
-            99_999.123_456_78,
-        ];
+        let numbers = [0.0, 1.0, 0.1, -1.0 / 3.0, 12.5, 0.000_000_06, -50.0, 99_999.123_456_78];
         for x in numbers {
             assert_eq!(text(x), format!("{x:.7}"), "for {x}");
         }
@@ -113,11 +101,7 @@ mod tests {
             let x = f64::from(i) * 0.000_123_456_789;
             let read: f32 = text(x).parse().expect("the text is a number");
             let kept = Decimal::from(x).to_f32();
-            assert_eq!(
-                read.to_bits(),
-                kept.to_bits(),
-                "{x} reads as {read}, is kept as {kept}"
-            );
+            assert_eq!(read.to_bits(), kept.to_bits(), "{x} reads as {read}, is kept as {kept}");
         }
     }
 }

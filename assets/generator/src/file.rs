@@ -17,12 +17,7 @@ pub struct FileError {
 
 impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "`{}` cannot be written: {}",
-            self.path.display(),
-            self.source
-        )
+        write!(f, "`{}` cannot be written: {}", self.path.display(), self.source)
     }
 }
 
@@ -44,15 +39,8 @@ pub fn write_whole(
     write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
 ) -> Result<(), FileError> {
     let special = fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir());
-    let done = if special {
-        fill(path, write)
-    } else {
-        fill_and_move(path, write)
-    };
-    done.map_err(|source| FileError {
-        path: path.to_owned(),
-        source,
-    })
+    let done = if special { fill(path, write) } else { fill_and_move(path, write) };
+    done.map_err(|source| FileError { path: path.to_owned(), source })
 }
 
 fn fill_and_move(

@@ -73,16 +73,7 @@ impl Surface for TessellatedSpheres {
 fn directions(n: u32) -> impl Iterator<Item = [f64; 3]> {
     let rings = (1..n).flat_map(move |i| {
         let (sin_theta, cos_theta) = (sin(theta(n, i)), cos(theta(n, i)));
-        (0..n).map(move |j| {
-            [
-                sin_theta * cos(phi(n, j)),
-                cos_theta,
-                sin_theta * sin(phi(n, j)),
-            ]
-        })
+        (0..n).map(move |j| [sin_theta * cos(phi(n, j)), cos_theta, sin_theta * sin(phi(n, j))])
     });
-    [[0.0, 1.0, 0.0]]
-        .into_iter()
-        .chain(rings)
-        .chain([[0.0, -1.0, 0.0]])
+    [[0.0, 1.0, 0.0]].into_iter().chain(rings).chain([[0.0, -1.0, 0.0]])
 }

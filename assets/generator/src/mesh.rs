@@ -25,10 +25,7 @@ pub trait Surface {
     /// The mesh that a reader of this surface's OBJ file gets, number for number.
     fn mesh(&self) -> Mesh {
         Mesh {
-            positions: self
-                .positions()
-                .map(|p| p.map(|x| Decimal::from(x).to_f32()))
-                .collect(),
+            positions: self.positions().map(|p| p.map(|x| Decimal::from(x).to_f32())).collect(),
             triangles: self.triangles().collect(),
         }
     }

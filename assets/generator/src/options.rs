@@ -103,57 +103,29 @@ fn depth() -> RangedU64ValueParser<u32> {
 /// If the file cannot be written, or would hold more vertices than an index can count.
 pub fn run(options: &Options) -> Result<String, FileError> {
     match &options.kind {
-        Kind::Blob {
-            triangles,
-            rings,
-            output,
-        } => {
+        Kind::Blob { triangles, rings, output } => {
             let n = rings.unwrap_or_else(|| rings_for(*triangles));
             save_obj(&output.path, &Blob { n })
         }
-        Kind::Terrain {
-            triangles,
-            side,
-            seed,
-            output,
-        } => {
+        Kind::Terrain { triangles, side, seed, output } => {
             let side = side.unwrap_or_else(|| side_for(*triangles));
             save_obj(&output.path, &Terrain { side, seed: *seed })
         }
-        Kind::Sphereflake {
-            depth,
-            rings: None,
-            output,
-        } => {
+        Kind::Sphereflake { depth, rings: None, output } => {
             write_whole(&output.path, |out| write_sphereflake(out, *depth))?;
-            Ok(format!(
-                "{}: {} spheres",
-                output.path.display(),
-                (9_u64.pow(depth + 1) - 1) / 8
-            ))
+            Ok(format!("{}: {} spheres", output.path.display(), (9_u64.pow(depth + 1) - 1) / 8))
         }
-        Kind::Sphereflake {
-            depth,
-            rings: Some(rings),
-            output,
-        } => save_flake_mesh(&output.path, *depth, *rings),
-        Kind::Checker {
-            tiles,
-            pixels,
-            output,
-        } => {
+        Kind::Sphereflake { depth, rings: Some(rings), output } => {
+            save_flake_mesh(&output.path, *depth, *rings)
+        }
+        Kind::Checker { tiles, pixels, output } => {
             let picture = checker(*tiles, tiles * pixels);
             write_whole(&output.path, |out| {
                 let smallest = CompressionType::Best;
                 let encoder = PngEncoder::new_with_quality(out, smallest, FilterType::NoFilter);
-                picture
-                    .write_with_encoder(encoder)
-                    .map_err(io::Error::other)
+                picture.write_with_encoder(encoder).map_err(io::Error::other)
             })?;
-            Ok(format!(
-                "{}: {tiles} x {tiles} tiles",
-                output.path.display()
-            ))
+            Ok(format!("{}: {tiles} x {tiles} tiles", output.path.display()))
         }
     }
 }
@@ -165,10 +137,7 @@ fn save_flake_mesh(path: &Path, depth: u32, rings: u32) -> Result<String, FileEr
         let sentence =
             format!("{vertices} vertices are too many: take a smaller depth or fewer rings");
         let source = io::Error::new(io::ErrorKind::InvalidInput, sentence);
-        return Err(FileError {
-            path: path.to_owned(),
-            source,
-        });
+        return Err(FileError { path: path.to_owned(), source });
     }
     save_obj(path, &TessellatedSpheres { spheres, rings })
 }
@@ -179,12 +148,6 @@ fn save_obj(path: &Path, surface: &impl Surface) -> Result<String, FileError> {
         written = write_obj(out, surface)?;
         Ok(())
     })?;
-    let ObjSize {
-        vertices,
-        triangles,
-    } = written;
-    Ok(format!(
-        "{}: {triangles} triangles, {vertices} vertices",
-        path.display()
-    ))
+    let ObjSize { vertices, triangles } = written;
+    Ok(format!("{}: {triangles} triangles, {vertices} vertices", path.display()))
 }

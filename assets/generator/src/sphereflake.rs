@@ -30,14 +30,7 @@ const SHRINK: f64 = 1.0 / 3.0;
 #[must_use]
 pub fn sphereflake(depth: u32) -> Vec<Sphere> {
     let mut spheres = Vec::new();
-    grow(
-        &mut spheres,
-        &arrangement(),
-        [0.0; 3],
-        RADIUS,
-        [0.0, 0.0, 1.0],
-        depth,
-    );
+    grow(&mut spheres, &arrangement(), [0.0; 3], RADIUS, [0.0, 0.0, 1.0], depth);
     spheres
 }
 
@@ -50,10 +43,7 @@ fn grow(
     up: [f64; 3],
     depth: u32,
 ) {
-    spheres.push(Sphere {
-        center: center.map(tidy),
-        radius: radius as f32,
-    });
+    spheres.push(Sphere { center: center.map(tidy), radius: radius as f32 });
     if depth == 0 {
         return;
     }
@@ -61,14 +51,7 @@ fn grow(
         let direction = turn(place, up);
         let distance = radius * (1.0 + SHRINK);
         let child = [0, 1, 2].map(|k| center[k] + distance * direction[k]);
-        grow(
-            spheres,
-            arrangement,
-            child,
-            radius * SHRINK,
-            direction,
-            depth - 1,
-        );
+        grow(spheres, arrangement, child, radius * SHRINK, direction, depth - 1);
     }
 }
 
@@ -84,11 +67,7 @@ fn arrangement() -> [[f64; 3]; 9] {
         };
         let across = sqrt(1.0 - sin_elevation_squared);
         let azimuth = f64::to_radians(azimuth);
-        [
-            across * cos(azimuth),
-            across * sin(azimuth),
-            sqrt(sin_elevation_squared),
-        ]
+        [across * cos(azimuth), across * sin(azimuth), sqrt(sin_elevation_squared)]
     })
 }
 
@@ -112,11 +91,7 @@ fn turn(v: [f64; 3], up: [f64; 3]) -> [f64; 3] {
 }
 
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// Rounds away the 10⁻¹⁷s that sines leave where an exact answer would be 0.
@@ -131,20 +106,10 @@ fn tidy(x: f64) -> f32 {
 pub fn write_sphereflake(out: &mut impl Write, depth: u32) -> io::Result<()> {
     let spheres = sphereflake(depth);
     let (count, s) = (spheres.len(), if depth == 0 { "" } else { "s" });
-    writeln!(
-        out,
-        "# The sphereflake of depth {depth}: {count} sphere{s} on a square of ground."
-    )?;
-    writeln!(
-        out,
-        "#\n# Written by: generator sphereflake --depth {depth} -o FILE.toml"
-    )?;
+    writeln!(out, "# The sphereflake of depth {depth}: {count} sphere{s} on a square of ground.")?;
+    writeln!(out, "#\n# Written by: generator sphereflake --depth {depth} -o FILE.toml")?;
     out.write_all(SETTING.as_bytes())?;
-    for Sphere {
-        center: [x, y, z],
-        radius,
-    } in spheres
-    {
+    for Sphere { center: [x, y, z], radius } in spheres {
         writeln!(out, "\n[[sphere]]\ncenter = [{x:?}, {y:?}, {z:?}]")?;
         writeln!(out, "radius = {radius:?}\nmaterial = \"gold\"")?;
     }

@@ -26,10 +26,7 @@ pub struct Terrain {
 /// If `side` is 0, which is no surface.
 #[must_use]
 pub fn terrain(side: u32, seed: u32) -> Mesh {
-    assert!(
-        side >= 1,
-        "a terrain needs at least 1 square along its edge, not {side}"
-    );
+    assert!(side >= 1, "a terrain needs at least 1 square along its edge, not {side}");
     Terrain { side, seed }.mesh()
 }
 

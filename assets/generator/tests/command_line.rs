@@ -18,9 +18,7 @@ fn said(output: &Output) -> String {
 fn names(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).expect("the folder exists");
     let name = |entry: std::io::Result<std::fs::DirEntry>| entry.expect("readable").file_name();
-    let mut names: Vec<_> = entries
-        .map(|e| name(e).to_string_lossy().into_owned())
-        .collect();
+    let mut names: Vec<_> = entries.map(|e| name(e).to_string_lossy().into_owned()).collect();
     names.sort();
     names
 }
@@ -45,19 +43,12 @@ fn every_kind_is_written_whole_and_alone() {
 #[test]
 fn the_same_options_give_the_same_bytes() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for kind in [
-        "blob --triangles 5000",
-        "terrain --triangles 5000",
-        "sphereflake --depth 2",
-    ] {
+    for kind in ["blob --triangles 5000", "terrain --triangles 5000", "sphereflake --depth 2"] {
         let bytes = |name: &str| {
             generator(folder.path(), &format!("{kind} -o {name}"));
             std::fs::read(folder.path().join(name)).expect("a file was written")
         };
-        assert!(
-            bytes("one") == bytes("two"),
-            "{kind} differs between two runs"
-        );
+        assert!(bytes("one") == bytes("two"), "{kind} differs between two runs");
     }
 }
 
@@ -68,11 +59,7 @@ fn a_file_that_cannot_be_written_is_named_and_leaves_nothing() {
     for target in ["missing/blob.obj", "taken"] {
         let output = generator(folder.path(), &format!("blob --rings 4 -o {target}"));
         assert_eq!(output.status.code(), Some(1), "{target}: {}", said(&output));
-        assert!(
-            said(&output).contains(target),
-            "{target} is not named: {}",
-            said(&output)
-        );
+        assert!(said(&output).contains(target), "{target} is not named: {}", said(&output));
     }
     assert_eq!(names(folder.path()), ["taken"], "files in the folder");
 }
@@ -90,12 +77,7 @@ fn sizes_that_make_no_mesh_are_refused() {
         ("sphereflake --depth 6 --rings 1000 -o a.obj", 1),
     ] {
         let output = generator(folder.path(), arguments);
-        assert_eq!(
-            output.status.code(),
-            Some(status),
-            "{arguments}: {}",
-            said(&output)
-        );
+        assert_eq!(output.status.code(), Some(status), "{arguments}: {}", said(&output));
     }
     assert_eq!(names(folder.path()), [""; 0], "files in the folder");
 }

@@ -6,17 +6,14 @@ use std::path::{Path, PathBuf};
 use workbench::{Image, SceneFile};
 
 fn assets() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .parent()
-        .expect("the generator lies in assets/")
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the generator lies in assets/")
 }
 
 fn scene_files() -> Vec<PathBuf> {
     let entries = fs::read_dir(assets().join("scenes")).expect("assets/scenes exists");
     let paths = entries.map(|entry| entry.expect("a readable folder").path());
-    let mut scenes: Vec<PathBuf> = paths
-        .filter(|path| path.extension().is_some_and(|e| e == "toml"))
-        .collect();
+    let mut scenes: Vec<PathBuf> =
+        paths.filter(|path| path.extension().is_some_and(|e| e == "toml")).collect();
     scenes.sort();
     scenes
 }
@@ -26,10 +23,8 @@ fn with_blob(scene: &Path, folder: &Path) -> PathBuf {
     for name in ["scenes", "meshes"] {
         fs::create_dir(folder.join(name)).expect("a folder");
     }
-    write_whole(&folder.join("meshes/blob.obj"), |out| {
-        write_obj(out, &Blob { n: 320 }).map(drop)
-    })
-    .expect("the blob is written");
+    write_whole(&folder.join("meshes/blob.obj"), |out| write_obj(out, &Blob { n: 320 }).map(drop))
+        .expect("the blob is written");
     let copy = folder.join("scenes/mesh.toml");
     fs::copy(scene, &copy).expect("the scene is copied");
     copy
@@ -38,18 +33,27 @@ fn with_blob(scene: &Path, folder: &Path) -> PathBuf {
 #[test]
 fn every_scene_loads_without_a_notice() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for path in scene_files() {
-        let path = if path.ends_with("mesh.toml") {
-            with_blob(&path, folder.path())
-        } else {
-            path
-        };
-        let scene = SceneFile::load(&path).unwrap_or_else(|error| panic!("{error}"));
-        let notices = &scene.notices;
-        assert!(notices.is_empty(), "{}: {notices:?}", path.display());
-        let shapes = scene.spheres.len() + scene.quads.len() + scene.meshes.len();
-        assert!(shapes > 0, "{} shows nothing", path.display());
+    let faults: Vec<String> = scene_files()
+        .into_iter()
+        .map(
+            |path| if path.ends_with("mesh.toml") { with_blob(&path, folder.path()) } else { path },
+        )
+        .filter_map(|path| fault(&path))
+        .collect();
+    assert!(faults.is_empty(), "{} scenes are at fault:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// What is wrong with a scene.
+fn fault(path: &Path) -> Option<String> {
+    let scene = match SceneFile::load(path) {
+        Ok(scene) => scene,
+        Err(error) => return Some(error.to_string()),
+    };
+    let shapes = scene.spheres.len() + scene.quads.len() + scene.meshes.len();
+    if shapes > 0 && scene.notices.is_empty() {
+        return None;
     }
+    Some(format!("{}: {shapes} shapes, notices {:?}", path.display(), scene.notices))
 }
 
 /// A figure without a legend teaches nothing.
@@ -57,11 +61,7 @@ fn every_scene_loads_without_a_notice() {
 fn every_scene_begins_with_what_it_shows() {
     for path in scene_files() {
         let text = fs::read_to_string(&path).expect("the scene is readable");
-        assert!(
-            text.starts_with("# "),
-            "{} does not begin with a comment",
-            path.display()
-        );
+        assert!(text.starts_with("# "), "{} does not begin with a comment", path.display());
     }
 }
 
@@ -89,16 +89,9 @@ fn the_checkerboard_is_what_the_generator_makes() {
 #[test]
 fn the_assets_stay_small() {
     let folders = ["scenes", "meshes", "textures"].map(|name| assets().join(name));
-    let files = folders
-        .iter()
-        .flat_map(|folder| fs::read_dir(folder).expect("a folder"));
+    let files = folders.iter().flat_map(|folder| fs::read_dir(folder).expect("a folder"));
     let kept = files.map(|file| file.expect("a readable folder"));
     let kept = kept.filter(|file| file.file_name() != "blob.obj");
-    let bytes: u64 = kept
-        .map(|file| file.metadata().expect("a file").len())
-        .sum();
-    assert!(
-        bytes < 1_500_000,
-        "scenes, meshes and textures take {bytes} bytes"
-    );
+    let bytes: u64 = kept.map(|file| file.metadata().expect("a file").len()).sum();
+    assert!(bytes < 1_500_000, "scenes, meshes and textures take {bytes} bytes");
 }

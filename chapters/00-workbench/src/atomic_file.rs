@@ -24,10 +24,7 @@ pub(crate) fn write_file(
     path: &Path,
     write: impl FnOnce(&mut dyn WriteSeek) -> io::Result<()>,
 ) -> Result<(), Error> {
-    let failed = |source| Error::Write {
-        path: path.to_owned(),
-        source,
-    };
+    let failed = |source| Error::Write { path: path.to_owned(), source };
     if is_device(path) {
         let file = OpenOptions::new().write(true).open(path).map_err(failed)?;
         return fill(file, write).map_err(failed);
@@ -36,29 +33,18 @@ pub(crate) fn write_file(
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let temporary = Temporary::create(&target).map_err(failed)?;
     let file = temporary.open().map_err(failed)?;
-    fill(file, write)
-        .and_then(|()| temporary.rename_to(&target))
-        .map_err(failed)
+    fill(file, write).and_then(|()| temporary.rename_to(&target)).map_err(failed)
 }
 
 /// Whether a file can be written to `path`, found out before an hour of rendering.
 pub(crate) fn check_writable(path: &Path) -> Result<(), Error> {
-    let failed = |source| Error::Write {
-        path: path.to_owned(),
-        source,
-    };
+    let failed = |source| Error::Write { path: path.to_owned(), source };
     if path.is_dir() {
-        return Err(failed(io::Error::new(
-            io::ErrorKind::IsADirectory,
-            "it is a folder",
-        )));
+        return Err(failed(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder")));
     }
     let folder = folder_of(path);
     if !folder.is_dir() {
-        let reason = format!(
-            "the folder `{}` does not exist; create it first",
-            folder.display()
-        );
+        let reason = format!("the folder `{}` does not exist; create it first", folder.display());
         return Err(failed(io::Error::new(io::ErrorKind::NotFound, reason)));
     }
     if !is_device(path) {
@@ -69,11 +55,7 @@ pub(crate) fn check_writable(path: &Path) -> Result<(), Error> {
 
 /// Removes what an interrupted run leaves behind.
 pub(crate) fn remove_unfinished() {
-    for path in UNFINISHED
-        .lock()
-        .unwrap_or_else(PoisonError::into_inner)
-        .drain(..)
-    {
+    for path in UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
         // It may just have been renamed or removed by its owner.
         let _ = fs::remove_file(path);
     }
@@ -82,26 +64,17 @@ pub(crate) fn remove_unfinished() {
 fn fill(file: File, write: impl FnOnce(&mut dyn WriteSeek) -> io::Result<()>) -> io::Result<()> {
     let mut buffered = BufWriter::new(file);
     write(&mut buffered)?;
-    let file = buffered
-        .into_inner()
-        .map_err(io::IntoInnerError::into_error)?;
+    let file = buffered.into_inner().map_err(io::IntoInnerError::into_error)?;
     // Some file systems find out only now that the disk is full; devices cannot be synchronised.
-    if file.metadata()?.is_file() {
-        file.sync_all()
-    } else {
-        Ok(())
-    }
+    if file.metadata()?.is_file() { file.sync_all() } else { Ok(()) }
 }
 
 fn is_device(path: &Path) -> bool {
-    path.metadata()
-        .is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
+    path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }
 
 fn folder_of(path: &Path) -> &Path {
-    path.parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-        .unwrap_or(Path::new("."))
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// A temporary file, removed when dropped unless it was renamed.
@@ -110,17 +83,12 @@ struct Temporary(PathBuf);
 impl Temporary {
     /// An empty file beside `target`, hidden, and named after this process.
     fn create(target: &Path) -> io::Result<Self> {
-        let name = target
-            .file_name()
-            .ok_or(io::Error::other("it has no file name"))?;
+        let name = target.file_name().ok_or(io::Error::other("it has no file name"))?;
         let mut hidden = OsString::from(".");
         hidden.push(name);
         hidden.push(format!(".{}.part", process::id()));
         let temporary = Self(folder_of(target).join(hidden));
-        UNFINISHED
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .push(temporary.0.clone());
+        UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).push(temporary.0.clone());
         File::create(&temporary.0)?;
         Ok(temporary)
     }

@@ -5,8 +5,9 @@
 /// A vector of f64.
 type Vector = [f64; 3];
 
-/// How far a quad may be from flat, compared to its longer diagonal.
-const FLATNESS: f64 = 1e-4;
+/// How far a quad may be from flat, compared to its longer diagonal. Measured scenes are not exact: the
+/// red wall of the Cornell box is 2·10⁻³ off, and is meant to be two triangles at an angle of ½°.
+const FLATNESS: f64 = 1e-2;
 
 /// (b − a) × (c − a): twice the area of the triangle, along its normal.
 pub(crate) fn area_vector(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> Vector {
@@ -45,11 +46,7 @@ pub(crate) fn difference(a: [f32; 3], b: [f32; 3]) -> Vector {
 }
 
 fn cross(a: Vector, b: Vector) -> Vector {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// a · b.
@@ -70,32 +67,15 @@ mod tests {
         let [a, b, tiny] = [[0.0; 3], [0.1, 0.1, 0.1], [1e-30, 0.0, 0.0]];
         assert!(is_degenerate([a, a, b]), "two equal corners");
         assert!(is_degenerate([a, b, [0.3, 0.3, 0.3]]), "three on a line");
-        assert!(
-            !is_degenerate([a, tiny, [0.0, 1e-30, 0.0]]),
-            "a tiny triangle"
-        );
-        assert!(
-            !is_degenerate([a, b, [0.3, 0.3, 0.3_f32.next_up()]]),
-            "almost on a line"
-        );
+        assert!(!is_degenerate([a, tiny, [0.0, 1e-30, 0.0]]), "a tiny triangle");
+        assert!(!is_degenerate([a, b, [0.3, 0.3, 0.3_f32.next_up()]]), "almost on a line");
     }
 
     #[test]
     fn a_quad_is_flat_and_goes_around() {
-        let quad = |z| {
-            [
-                [0.0, 0.0, z],
-                [1.0, 0.0, 0.0],
-                [1.0, 1.0, 0.0],
-                [0.0, 1.0, 0.0],
-            ]
-        };
+        let quad = |z| [[0.0, 0.0, z], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
         assert_eq!(quad_fault(quad(0.0)), None, "a square");
-        assert_eq!(
-            quad_fault(quad(1e-5)),
-            None,
-            "a square with a rounded corner"
-        );
+        assert_eq!(quad_fault(quad(1e-5)), None, "a square with a rounded corner");
         assert!(quad_fault(quad(0.1)).is_some(), "a bent square");
         let [a, b, c, d] = quad(0.0);
         assert!(quad_fault([a, c, b, d]).is_some(), "a bow tie");

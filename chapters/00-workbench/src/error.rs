@@ -55,10 +55,7 @@ impl fmt::Display for Error {
             }
             Self::Picture { path, reason } => write!(f, "`{}`: {reason}", path.display()),
             Self::Threads(reason) => {
-                write!(
-                    f,
-                    "the threads could not be started: {reason}; try `--threads 1`"
-                )
+                write!(f, "the threads could not be started: {reason}; try `--threads 1`")
             }
         }
     }

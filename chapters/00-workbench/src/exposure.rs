@@ -57,8 +57,7 @@ pub fn expose<R: Into<[f32; 3]>>(
         None => expose_all(),
         Some(threads) => {
             let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-            pool.unwrap_or_else(|error| panic!("{threads} threads: {error}"))
-                .install(expose_all);
+            pool.unwrap_or_else(|error| panic!("{threads} threads: {error}")).install(expose_all);
         }
     }
     film.strict_image()
@@ -103,8 +102,6 @@ pub(crate) fn film(size: [u32; 2], pixel: Option<[u32; 2]>) -> Result<Film, Erro
     };
     film.map_err(|_| {
         let [width, height] = size;
-        Error::Memory(format!(
-            "a picture of {width}×{height} pixels does not fit in memory"
-        ))
+        Error::Memory(format!("a picture of {width}×{height} pixels does not fit in memory"))
     })
 }

@@ -29,11 +29,7 @@ impl FilmPoint {
     #[inline]
     #[must_use]
     pub fn in_pixel(pixel: [u32; 2], u: [f32; 2], size: [u32; 2]) -> Self {
-        Self {
-            x: within(pixel[0], u[0]),
-            y: within(pixel[1], u[1]),
-            size,
-        }
+        Self { x: within(pixel[0], u[0]), y: within(pixel[1], u[1]), size }
     }
 }
 
@@ -89,17 +85,13 @@ impl Tile {
     /// The pixels of the tile with their coordinates, row by row.
     fn pixels(&self) -> impl Iterator<Item = ([u32; 2], &PixelSum)> {
         let ([x, y], width) = (self.origin, self.width);
-        (0..)
-            .zip(&self.pixels)
-            .map(move |(i, sum)| ([x + i % width, y + i / width], sum))
+        (0..).zip(&self.pixels).map(move |(i, sum)| ([x + i % width, y + i / width], sum))
     }
 
     /// The same, to be added to.
     fn pixels_mut(&mut self) -> impl Iterator<Item = ([u32; 2], &mut PixelSum)> {
         let ([x, y], width) = (self.origin, self.width);
-        (0..)
-            .zip(&mut self.pixels)
-            .map(move |(i, sum)| ([x + i % width, y + i / width], sum))
+        (0..).zip(&mut self.pixels).map(move |(i, sum)| ([x + i % width, y + i / width], sum))
     }
 }
 
@@ -142,19 +134,10 @@ impl Film {
                 pixels.try_reserve_exact(count)?;
                 pixels.resize(count, PixelSum::default());
                 tiles.try_reserve(1)?;
-                tiles.push(Tile {
-                    origin: [origin[0] + x, origin[1] + y],
-                    width,
-                    pixels,
-                });
+                tiles.push(Tile { origin: [origin[0] + x, origin[1] + y], width, pixels });
             }
         }
-        Ok(Self {
-            size,
-            origin,
-            extent,
-            tiles,
-        })
+        Ok(Self { size, origin, extent, tiles })
     }
 
     /// Adds `samples` samples to every pixel, on the current pool of threads.
@@ -205,11 +188,7 @@ impl Film {
     /// must not pass over one.
     pub(crate) fn strict_image(&self) -> Image {
         let strict = |sum: &PixelSum| {
-            if sum.finite == sum.taken {
-                sum.mean()
-            } else {
-                [f32::NAN; 3]
-            }
+            if sum.finite == sum.taken { sum.mean() } else { [f32::NAN; 3] }
         };
         self.image_of(strict)
     }
@@ -239,9 +218,7 @@ impl Film {
     /// How many samples were not finite, and are left out of the picture.
     #[must_use]
     pub fn non_finite_samples(&self) -> u64 {
-        self.pixels()
-            .map(|(_, sum)| u64::from(sum.taken - sum.finite))
-            .sum()
+        self.pixels().map(|(_, sum)| u64::from(sum.taken - sum.finite)).sum()
     }
 
     /// A pixel that met a sample that is not finite, the uppermost, then leftmost.
@@ -267,12 +244,8 @@ mod tests {
     use crate::exposure::in_passes;
     use crate::{FilmSettings, Image, Sampler, expose};
 
-    const SETTINGS: FilmSettings = FilmSettings {
-        size: [37, 21],
-        samples: 5,
-        seed: 1,
-        threads: Some(1),
-    };
+    const SETTINGS: FilmSettings =
+        FilmSettings { size: [37, 21], samples: 5, seed: 1, threads: Some(1) };
 
     /// A picture that shows every bit of what the closure is given.
     fn noise(point: FilmPoint, sampler: &mut Sampler) -> [f32; 3] {
@@ -287,32 +260,16 @@ mod tests {
             for u in [0.0, 2.0_f32.powi(-24), 0.5, largest] {
                 let point = FilmPoint::in_pixel([pixel; 2], [u; 2], [65_536; 2]);
                 let edges = pixel as f32..(pixel + 1) as f32;
-                assert!(
-                    edges.contains(&point.x),
-                    "{} for pixel {pixel}, u = {u}",
-                    point.x
-                );
-                assert!(
-                    edges.contains(&point.y),
-                    "{} for pixel {pixel}, u = {u}",
-                    point.y
-                );
+                assert!(edges.contains(&point.x), "{} for pixel {pixel}, u = {u}", point.x);
+                assert!(edges.contains(&point.y), "{} for pixel {pixel}, u = {u}", point.y);
             }
         }
     }
 
     #[test]
     fn the_picture_does_not_depend_on_threads() {
-        let hashes = [Some(1), Some(2), Some(5), None].map(|threads| {
-            expose(
-                &FilmSettings {
-                    threads,
-                    ..SETTINGS
-                },
-                noise,
-            )
-            .hash()
-        });
+        let hashes = [Some(1), Some(2), Some(5), None]
+            .map(|threads| expose(&FilmSettings { threads, ..SETTINGS }, noise).hash());
         assert_eq!(hashes, [hashes[0]; 4], "1, 2, 5 and all threads");
     }
 
@@ -320,27 +277,13 @@ mod tests {
     fn the_picture_does_not_depend_on_passes() {
         let mut film = Film::new(SETTINGS.size).expect("a small film");
         film.expose(SETTINGS.seed, SETTINGS.samples, &noise, &|| false, &|_| ());
-        assert_eq!(
-            film.image().hash(),
-            expose(&SETTINGS, noise).hash(),
-            "one pass and many"
-        );
+        assert_eq!(film.image().hash(), expose(&SETTINGS, noise).hash(), "one pass and many");
     }
 
     #[test]
     fn the_seed_changes_the_picture() {
-        let other = expose(
-            &FilmSettings {
-                seed: 2,
-                ..SETTINGS
-            },
-            noise,
-        );
-        assert_ne!(
-            other.hash(),
-            expose(&SETTINGS, noise).hash(),
-            "the hash of seeds 1 and 2"
-        );
+        let other = expose(&FilmSettings { seed: 2, ..SETTINGS }, noise);
+        assert_ne!(other.hash(), expose(&SETTINGS, noise).hash(), "the hash of seeds 1 and 2");
     }
 
     #[test]
@@ -348,11 +291,7 @@ mod tests {
         let whole = expose(&SETTINGS, noise);
         let mut film = Film::single_pixel(SETTINGS.size, [30, 20]).expect("a small film");
         film.expose(SETTINGS.seed, SETTINGS.samples, &noise, &|| false, &|_| ());
-        assert_eq!(
-            film.image().pixel(0, 0),
-            whole.pixel(30, 20),
-            "pixel (30, 20)"
-        );
+        assert_eq!(film.image().pixel(0, 0), whole.pixel(30, 20), "pixel (30, 20)");
         assert_eq!(film.total_samples(), 5, "samples");
     }
 
@@ -360,12 +299,7 @@ mod tests {
     fn a_pixel_is_the_mean_of_its_samples() {
         // 2²⁴ + 1 is no f32: the sum of these would be wrong without f64.
         let large = 16_777_216.0;
-        let settings = FilmSettings {
-            size: [1, 1],
-            samples: 4,
-            seed: 0,
-            threads: Some(1),
-        };
+        let settings = FilmSettings { size: [1, 1], samples: 4, seed: 0, threads: Some(1) };
         let calls = std::sync::atomic::AtomicU32::new(0);
         let image = expose(&settings, |_, _| {
             let first = calls.fetch_add(1, std::sync::atomic::Ordering::Relaxed) == 0;
@@ -379,9 +313,7 @@ mod tests {
     fn narrow_pictures_have_all_their_pixels() {
         for size in [[1, 1], [1, 40], [40, 1], [16, 16], [17, 33]] {
             let settings = FilmSettings { size, ..SETTINGS };
-            let image = expose(&settings, |point, _| {
-                [point.x.floor(), point.y.floor(), 1.0]
-            });
+            let image = expose(&settings, |point, _| [point.x.floor(), point.y.floor(), 1.0]);
             for y in 0..size[1] {
                 for x in 0..size[0] {
                     let expected = [x as f32, y as f32, 1.0];
@@ -406,35 +338,18 @@ mod tests {
             true
         });
         let expected = [[1.0; 3], [f32::MAX; 3], [2.0; 3]];
-        assert_eq!(
-            film.image().pixels,
-            expected,
-            "the means of the finite samples"
-        );
+        assert_eq!(film.image().pixels, expected, "the means of the finite samples");
         let count = film.non_finite_samples();
-        assert!(
-            (10..54).contains(&count),
-            "{count} of 64 samples were not finite"
-        );
+        assert!((10..54).contains(&count), "{count} of 64 samples were not finite");
         assert_eq!(film.first_non_finite_pixel(), Some([2, 0]), "the pixel");
         let strict = film.strict_image();
-        assert!(
-            strict.pixel(2, 0)[0].is_nan(),
-            "a test sees {:?}",
-            strict.pixel(2, 0)
-        );
+        assert!(strict.pixel(2, 0)[0].is_nan(), "a test sees {:?}", strict.pixel(2, 0));
     }
 
     #[test]
     fn a_pixel_without_a_finite_sample_is_magenta() {
         let mut film = Film::new([1, 1]).expect("a small film");
-        film.expose(
-            0,
-            3,
-            &|_, _: &mut Sampler| [f32::NAN; 3],
-            &|| false,
-            &|_| (),
-        );
+        film.expose(0, 3, &|_, _: &mut Sampler| [f32::NAN; 3], &|| false, &|_| ());
         assert_eq!(film.image().to_srgb8(), [255, 0, 255], "the bytes");
     }
 

@@ -19,11 +19,7 @@ impl Image {
     /// A black picture.
     #[must_use]
     pub fn new(width: u32, height: u32) -> Self {
-        Self {
-            width,
-            height,
-            pixels: vec![[0.0; 3]; width as usize * height as usize],
-        }
+        Self { width, height, pixels: vec![[0.0; 3]; width as usize * height as usize] }
     }
 
     /// The pixel in column `x` and row `y`, counted from the top left corner.
@@ -31,11 +27,7 @@ impl Image {
     /// Panics when the picture has no such pixel.
     #[must_use]
     pub fn pixel(&self, x: u32, y: u32) -> [f32; 3] {
-        assert!(
-            x < self.width,
-            "column {x} of a picture {} pixels wide",
-            self.width
-        );
+        assert!(x < self.width, "column {x} of a picture {} pixels wide", self.width);
         self.pixels[y as usize * self.width as usize + x as usize]
     }
 
@@ -71,25 +63,15 @@ impl Image {
             "{} bytes for {width} × {height} pixels",
             bytes.len()
         );
-        let pixels = triples
-            .iter()
-            .map(|bytes| bytes.map(srgb::decode))
-            .collect();
-        Self {
-            width,
-            height,
-            pixels,
-        }
+        let pixels = triples.iter().map(|bytes| bytes.map(srgb::decode)).collect();
+        Self { width, height, pixels }
     }
 
     /// The bytes of the PNG file: three a pixel, row by row from the top; magenta where a value is
     /// NaN.
     #[must_use]
     pub fn to_srgb8(&self) -> Vec<u8> {
-        self.pixels
-            .iter()
-            .flat_map(|&pixel| srgb::encode_pixel(pixel))
-            .collect()
+        self.pixels.iter().flat_map(|&pixel| srgb::encode_pixel(pixel)).collect()
     }
 
     /// A fingerprint of the size and of every bit of every float: FNV-1a, 64 bits.
@@ -98,11 +80,7 @@ impl Image {
     #[must_use]
     pub fn hash(&self) -> u64 {
         let floats = self.pixels.as_flattened().iter().map(|value| {
-            if value.is_nan() {
-                f32::NAN.to_bits() & 0x7fff_ffff
-            } else {
-                value.to_bits()
-            }
+            if value.is_nan() { f32::NAN.to_bits() & 0x7fff_ffff } else { value.to_bits() }
         });
         [self.width, self.height]
             .into_iter()
@@ -158,11 +136,7 @@ mod tests {
     use super::Image;
 
     fn two_pixels(first: [f32; 3], second: [f32; 3]) -> Image {
-        Image {
-            width: 2,
-            height: 1,
-            pixels: vec![first, second],
-        }
+        Image { width: 2, height: 1, pixels: vec![first, second] }
     }
 
     #[test]
@@ -175,10 +149,7 @@ mod tests {
 
     #[test]
     fn nan_is_never_hidden() {
-        for image in [
-            two_pixels([f32::NAN; 3], [1.0; 3]),
-            two_pixels([1.0; 3], [f32::NAN; 3]),
-        ] {
+        for image in [two_pixels([f32::NAN; 3], [1.0; 3]), two_pixels([1.0; 3], [f32::NAN; 3])] {
             assert!(image.min()[0].is_nan(), "the minimum is {:?}", image.min());
             assert!(image.max()[0].is_nan(), "the maximum is {:?}", image.max());
             assert!(image.mean()[0].is_nan(), "the mean is {:?}", image.mean());
@@ -188,44 +159,21 @@ mod tests {
     /// Pinned, because snapshots store it.
     #[test]
     fn the_hash_is_the_published_one() {
-        let empty = Image {
-            width: 0,
-            height: 0,
-            pixels: Vec::new(),
-        };
+        let empty = Image { width: 0, height: 0, pixels: Vec::new() };
         // FNV-1a of eight zero bytes: the offset basis times the prime to the eighth power.
-        let expected = (0..8).fold(0xcbf2_9ce4_8422_2325_u64, |hash, _| {
-            hash.wrapping_mul(0x0000_0100_0000_01b3)
-        });
+        let expected = (0..8)
+            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, _| hash.wrapping_mul(0x0000_0100_0000_01b3));
         assert_eq!(empty.hash(), expected, "the hash of nothing");
-        assert_ne!(
-            Image::new(1, 2).hash(),
-            Image::new(2, 1).hash(),
-            "the size counts"
-        );
-        let zeros = (
-            two_pixels([0.0; 3], [0.0; 3]),
-            two_pixels([0.0; 3], [0.0, 0.0, -0.0]),
-        );
+        assert_ne!(Image::new(1, 2).hash(), Image::new(2, 1).hash(), "the size counts");
+        let zeros = (two_pixels([0.0; 3], [0.0; 3]), two_pixels([0.0; 3], [0.0, 0.0, -0.0]));
         assert_ne!(zeros.0.hash(), zeros.1.hash(), "every bit counts");
-        let nans = (
-            two_pixels([f32::NAN; 3], [0.0; 3]),
-            two_pixels([-f32::NAN; 3], [0.0; 3]),
-        );
-        assert_eq!(
-            nans.0.hash(),
-            nans.1.hash(),
-            "the sign of NaN does not count"
-        );
+        let nans = (two_pixels([f32::NAN; 3], [0.0; 3]), two_pixels([-f32::NAN; 3], [0.0; 3]));
+        assert_eq!(nans.0.hash(), nans.1.hash(), "the sign of NaN does not count");
     }
 
     #[test]
     fn bytes_survive_the_way_through_linear_light() {
         let bytes: Vec<u8> = (0..=254).collect();
-        assert_eq!(
-            Image::from_srgb8(17, 5, &bytes).to_srgb8(),
-            bytes,
-            "the bytes"
-        );
+        assert_eq!(Image::from_srgb8(17, 5, &bytes).to_srgb8(), bytes, "the bytes");
     }
 }

@@ -1,10 +1,7 @@
 //! Stage 0: a picture before the first ray. Red is the column, green the row, blue is chance.
 //!
 //! `cargo run --release -p workbench -- --preview`
-
-use std::process::ExitCode;
-
-use workbench::{Exposure, NoExtra, Run, SceneFile, Stage};
+use workbench::{Error, Finished, NoExtra, Probe, Run, SceneFile, Stage, Unwatched};
 
 const STAGE: Stage = Stage {
     name: "workbench",
@@ -15,18 +12,18 @@ const STAGE: Stage = Stage {
     estimates: false,
 };
 
-fn main() -> ExitCode {
-    workbench::main(&STAGE, |run: &Run<NoExtra>| {
-        let scene = run.load(SceneFile::load)?;
-        let exposure = Exposure {
-            size: scene.camera.size,
-            samples: scene.samples,
-        };
-        scene.notices.iter().for_each(|notice| run.note(notice));
-        let film = run.render(exposure, &workbench::Unwatched, |point, sampler| {
-            let [width, height] = point.size.map(|side| side as f32);
-            [point.x / width, point.y / height, sampler.next_1d()]
-        })?;
-        run.save(&film)
+fn main() -> std::process::ExitCode {
+    workbench::main(&STAGE, |run| match run.recorder() {
+        Some(recorder) => paint(run, recorder),
+        None => paint(run, &Unwatched),
     })
+}
+
+fn paint<P: Probe>(run: &Run<NoExtra>, probe: &P) -> Result<Finished, Error> {
+    let scene = run.load(SceneFile::load)?;
+    let film = run.render(scene.exposure(), probe, |point, sampler| {
+        probe.tell(|| format!("film point ({}, {})", point.x, point.y));
+        [point.x / point.size[0] as f32, point.y / point.size[1] as f32, sampler.next_1d()]
+    })?;
+    run.save(&film)
 }

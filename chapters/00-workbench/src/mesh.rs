@@ -42,10 +42,7 @@ pub(crate) fn load(
     let mut reader = ObjLines::new(lines, &mut libraries);
 
     // Polygons are divided here: `tobj` would always divide them from their first corner.
-    let options = tobj::LoadOptions {
-        single_index: true,
-        ..Default::default()
-    };
+    let options = tobj::LoadOptions { single_index: true, ..Default::default() };
     let no_library = |_: &Path| Ok(Default::default());
     let loaded = tobj::load_obj_buf(&mut reader, &options, no_library);
     if let Some(fault) = reader.fault {
@@ -71,10 +68,7 @@ pub(crate) fn load(
     };
     notice(lines_and_points, "lines or points were left out");
     notice(assembly.degenerate, "triangles without area were dropped");
-    notice(
-        assembly.bent,
-        "polygons are too far from convex to be divided correctly",
-    );
+    notice(assembly.bent, "polygons are too far from convex to be divided correctly");
     if assembly.mesh.triangles.is_empty() {
         return Err(SceneError::file(
             path,
@@ -107,29 +101,21 @@ impl Assembly {
     /// Adds the part that `tobj` has read.
     fn add(&mut self, part: tobj::Mesh, group: Group, material: u32) {
         let first = self.mesh.positions.len();
-        self.mesh
-            .positions
-            .extend_from_slice(part.positions.as_chunks().0);
+        self.mesh.positions.extend_from_slice(part.positions.as_chunks().0);
         let count = self.mesh.positions.len();
         // Each vertex of a group has the same parts, so these have one a vertex, or none.
         if group.normals {
-            self.mesh
-                .normals
-                .extend_from_slice(part.normals.as_chunks().0);
+            self.mesh.normals.extend_from_slice(part.normals.as_chunks().0);
         } else if self.normals {
             self.mesh.normals.resize(count, [0.0; 3]);
         }
         if group.texture_coordinates {
-            self.mesh
-                .texture_coordinates
-                .extend_from_slice(part.texcoords.as_chunks().0);
+            self.mesh.texture_coordinates.extend_from_slice(part.texcoords.as_chunks().0);
         } else if self.texture_coordinates {
             self.mesh.texture_coordinates.resize(count, [0.0; 2]);
         }
         self.add_faces(&part, first as u32);
-        self.mesh
-            .materials
-            .resize(self.mesh.triangles.len(), material);
+        self.mesh.materials.resize(self.mesh.triangles.len(), material);
     }
 
     fn add_faces(&mut self, part: &tobj::Mesh, first: u32) {
@@ -181,12 +167,8 @@ impl Assembly {
                 area_vector(a, b, c)
             })
         };
-        let whole = areas().fold([0.0; 3], |sum, area| {
-            std::array::from_fn(|i| sum[i] + area[i])
-        });
-        areas()
-            .map(|area| dot(area, whole))
-            .fold(f64::INFINITY, f64::min)
+        let whole = areas().fold([0.0; 3], |sum, area| std::array::from_fn(|i| sum[i] + area[i]));
+        areas().map(|area| dot(area, whole)).fold(f64::INFINITY, f64::min)
     }
 
     fn finish(mut self) -> Mesh {
@@ -218,14 +200,7 @@ struct MaterialLibraries<'a, 'c> {
 
 impl<'a, 'c> MaterialLibraries<'a, 'c> {
     fn new(path: &'a Path, forced: Option<u32>, collection: &'a mut Collection<'c>) -> Self {
-        Self {
-            path,
-            forced,
-            by_name: BTreeMap::new(),
-            loaded: false,
-            grey: None,
-            collection,
-        }
+        Self { path, forced, by_name: BTreeMap::new(), loaded: false, grey: None, collection }
     }
 
     /// The material of faces that have none: the one the scene file gives, else grey.
@@ -234,10 +209,9 @@ impl<'a, 'c> MaterialLibraries<'a, 'c> {
             return material;
         }
         let material = self.collection.materials.len() as u32;
-        self.collection.materials.push(MaterialRecord {
-            kd: [0.5; 3],
-            ..MaterialRecord::new("grey")
-        });
+        self.collection
+            .materials
+            .push(MaterialRecord { kd: [0.5; 3], ..MaterialRecord::new("grey") });
         self.collection.notices.push(format!(
             "`{}`: faces without a material are shown grey; give the mesh a `material`",
             self.path.display()

@@ -30,10 +30,7 @@ pub(crate) fn load(
     }
     let (materials, _) = tobj::load_mtl_buf(&mut tidy.as_bytes())
         .map_err(|error| SceneError::file(path, format!("could not be read: {error}")))?;
-    Ok(materials
-        .iter()
-        .map(|material| record(material, path, notices))
-        .collect())
+    Ok(materials.iter().map(|material| record(material, path, notices)).collect())
 }
 
 /// Appends a checked line to `tidy`, if it says something that we know.
@@ -76,10 +73,7 @@ fn tidy_up(
 
 /// One number that stands for grey, or three; at least 0.
 fn color(numbers: &str) -> Result<[f32; 3], String> {
-    let values: Vec<f32> = numbers
-        .split_whitespace()
-        .map(finite)
-        .collect::<Result<_, _>>()?;
+    let values: Vec<f32> = numbers.split_whitespace().map(finite).collect::<Result<_, _>>()?;
     let color = match values[..] {
         [grey] => [grey; 3],
         [r, g, b] => [r, g, b],
@@ -93,11 +87,7 @@ fn color(numbers: &str) -> Result<[f32; 3], String> {
 
 fn number(text: &str, right: impl Fn(f32) -> bool, rule: &str) -> Result<f32, String> {
     let number = finite(text)?;
-    if right(number) {
-        Ok(number)
-    } else {
-        Err(format!("is {number}; it must be {rule}"))
-    }
+    if right(number) { Ok(number) } else { Err(format!("is {number}; it must be {rule}")) }
 }
 
 /// The record of a material: `illum` 3 and 5 is a mirror, whose `Ks` is kr; 4, 6, 7 and 9 is glass,
@@ -109,9 +99,7 @@ fn record(material: &tobj::Material, path: &Path, notices: &mut Vec<String>) -> 
         Some(4 | 6 | 7 | 9) => SurfaceKind::Glass,
         Some(model @ (8 | 10)) => {
             let (path, name) = (path.display(), &material.name);
-            notices.push(format!(
-                "`{path}`: `{name}` has `illum {model}` and is shown as diffuse"
-            ));
+            notices.push(format!("`{path}`: `{name}` has `illum {model}` and is shown as diffuse"));
             SurfaceKind::Diffuse
         }
         _ => SurfaceKind::Diffuse,
@@ -131,10 +119,7 @@ fn record(material: &tobj::Material, path: &Path, notices: &mut Vec<String>) -> 
             .and_then(|text| color(text).ok())
             .unwrap_or(default.kt),
         ke: material.emissive.unwrap_or(default.ke),
-        map_kd: material
-            .diffuse_texture
-            .as_ref()
-            .and_then(|index| index.parse().ok()),
+        map_kd: material.diffuse_texture.as_ref().and_then(|index| index.parse().ok()),
         ..default
     }
 }

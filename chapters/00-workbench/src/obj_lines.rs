@@ -76,8 +76,7 @@ impl<'a, R: BufRead, L: Libraries> ObjLines<'a, R, L> {
         self.used = 0;
         let mut line = std::mem::take(&mut self.line);
         while self.tidy.is_empty() && self.lines.read(&mut line)? {
-            self.tidy_up(&line)
-                .map_err(|reason| self.lines.error(reason))?;
+            self.tidy_up(&line).map_err(|reason| self.lines.error(reason))?;
         }
         self.line = line;
         Ok(())
@@ -112,21 +111,20 @@ impl<'a, R: BufRead, L: Libraries> ObjLines<'a, R, L> {
         if !matches!(count, 3 | 4 | 6 | 7) {
             return Err(format!("`v` has {count} numbers; it must have x, y and z"));
         }
-        let [x, y, z, mut weight, ..] = values;
-        if !matches!(count, 4 | 7) {
-            weight = 1.0;
-        }
-        if ![x / weight, y / weight, z / weight]
-            .iter()
-            .all(|value| value.is_finite())
-        {
-            return Err(format!(
-                "`v` has the weight {weight}, which makes it infinite"
-            ));
+        let weighted = matches!(count, 4 | 7);
+        let [x, y, z, w, ..] = values;
+        let weight = if weighted { w } else { 1.0 };
+        if ![x / weight, y / weight, z / weight].iter().all(|value| value.is_finite()) {
+            return Err(format!("`v` has the weight {weight}, which makes it infinite"));
         }
         self.counts[0] += 1;
-        let words = if matches!(count, 4 | 7) { 4 } else { 3 };
-        self.emit("v", numbers.split_whitespace().take(words));
+        let kept = if weighted { 4 } else { 3 };
+        if count == kept {
+            self.emit("v", numbers);
+        } else {
+            let words: Vec<&str> = numbers.split_whitespace().take(kept).collect();
+            self.emit("v", &words.join(" "));
+        }
         Ok(())
     }
 
@@ -137,7 +135,10 @@ impl<'a, R: BufRead, L: Libraries> ObjLines<'a, R, L> {
             return Err("`vt` has no numbers; it must have u and v".to_owned());
         }
         self.counts[1] += 1;
-        self.emit("vt", numbers.split_whitespace().chain(["0"]).take(2));
+        self.emit("vt", numbers);
+        if count == 1 {
+            self.tidy.insert_str(self.tidy.len() - 1, " 0");
+        }
         Ok(())
     }
 
@@ -147,18 +148,14 @@ impl<'a, R: BufRead, L: Libraries> ObjLines<'a, R, L> {
             return Err(format!("`vn` has {count} numbers; it must have x, y and z"));
         }
         self.counts[2] += 1;
-        self.emit("vn", numbers.split_whitespace());
+        self.emit("vn", numbers);
         Ok(())
     }
 
     fn face(&mut self, corners: &str) -> Result<(), String> {
-        let count = corners.split_whitespace().count();
-        if count < 3 {
-            self.lines_and_points += 1;
-            return Ok(());
-        }
-        let mut layout = None;
+        let (mut layout, mut count) = (None, 0);
         for corner in corners.split_whitespace() {
+            count += 1;
             let [_, texture_coordinates, normals] = self.corner(corner)?;
             let found = (texture_coordinates, normals);
             if *layout.get_or_insert(found) != found {
@@ -168,17 +165,17 @@ impl<'a, R: BufRead, L: Libraries> ObjLines<'a, R, L> {
                 ));
             }
         }
+        if count < 3 {
+            self.lines_and_points += 1;
+            return Ok(());
+        }
         let (texture_coordinates, normals) = layout.unwrap_or_default();
-        let group = Group {
-            material: self.material,
-            texture_coordinates,
-            normals,
-        };
+        let group = Group { material: self.material, texture_coordinates, normals };
         if self.groups.last() != Some(&group) {
             self.groups.push(group);
             self.tidy.push_str("g\n");
         }
-        self.emit("f", corners.split_whitespace());
+        self.emit("f", corners);
         Ok(())
     }
 
@@ -189,10 +186,8 @@ impl<'a, R: BufRead, L: Libraries> ObjLines<'a, R, L> {
         for (part, text) in corner.split('/').enumerate() {
             let unreadable =
                 || format!("`f` has the corner `{corner}`, which is not v, v/t, v//n or v/t/n");
-            let (name, count) = NAMES
-                .get(part)
-                .zip(self.counts.get(part))
-                .ok_or_else(unreadable)?;
+            let (name, count) =
+                NAMES.get(part).zip(self.counts.get(part)).ok_or_else(unreadable)?;
             if text.is_empty() && part > 0 {
                 continue;
             }
@@ -208,12 +203,10 @@ impl<'a, R: BufRead, L: Libraries> ObjLines<'a, R, L> {
         Ok(named)
     }
 
-    fn emit<'w>(&mut self, keyword: &str, words: impl Iterator<Item = &'w str>) {
+    fn emit(&mut self, keyword: &str, words: &str) {
         self.tidy.push_str(keyword);
-        for word in words {
-            self.tidy.push(' ');
-            self.tidy.push_str(word);
-        }
+        self.tidy.push(' ');
+        self.tidy.push_str(words);
         self.tidy.push('\n');
     }
 }
@@ -222,9 +215,8 @@ impl<'a, R: BufRead, L: Libraries> ObjLines<'a, R, L> {
 fn read_numbers(keyword: &str, text: &str, values: &mut [f32]) -> Result<usize, String> {
     let mut count = 0;
     for word in text.split_whitespace() {
-        let value = values
-            .get_mut(count)
-            .ok_or_else(|| format!("`{keyword}` has too many numbers"))?;
+        let value =
+            values.get_mut(count).ok_or_else(|| format!("`{keyword}` has too many numbers"))?;
         *value = finite(word).map_err(|reason| format!("`{keyword}` {reason}"))?;
         count += 1;
     }

@@ -43,7 +43,7 @@ pub struct Options<E: Args> {
     pub scene: PathBuf,
 
     /// Write the picture to FILE: .png (8-bit sRGB) or .exr (linear 32-bit float)
-    /// [default: <stage>-<scene>.png]
+    /// [default: STAGE-SCENE.png]
     #[arg(short, long, value_name = "FILE", value_parser = picture_path())]
     pub output: Option<PathBuf>,
 
@@ -109,11 +109,7 @@ impl FromStr for StatsTarget {
     type Err = Infallible;
 
     fn from_str(text: &str) -> Result<Self, Infallible> {
-        Ok(if text == "-" {
-            Self::StandardOutput
-        } else {
-            Self::File(PathBuf::from(text))
-        })
+        Ok(if text == "-" { Self::StandardOutput } else { Self::File(PathBuf::from(text)) })
     }
 }
 
@@ -127,9 +123,7 @@ impl<E: Args> Options<E> {
             .name(stage.name)
             .bin_name(stage.name)
             .about(stage.about)
-            .mut_arg("scene", |argument| {
-                argument.required(false).default_value(stage.scene)
-            })
+            .mut_arg("scene", |argument| argument.required(false).default_value(stage.scene))
             .mut_arg("time", |argument| argument.hide(!stage.estimates))
             .mut_arg("error", |argument| argument.hide(true));
         let matches = command.try_get_matches_from_mut(arguments)?;
@@ -144,14 +138,10 @@ impl<E: Args> Options<E> {
     fn contradiction(&self, stage: &Stage) -> Option<String> {
         let name = stage.name;
         if self.time.is_some() && !stage.estimates {
-            return Some(format!(
-                "{name} does not take `--time`; it ends after `--samples`"
-            ));
+            return Some(format!("{name} does not take `--time`; it ends after `--samples`"));
         }
         if self.error.is_some() {
-            return Some(format!(
-                "{name} does not take `--error`; it ends after `--samples`"
-            ));
+            return Some(format!("{name} does not take `--error`; it ends after `--samples`"));
         }
         match (&self.output, &self.stats) {
             (Some(output), Some(StatsTarget::File(stats))) if output == stats => {
@@ -211,4 +201,63 @@ fn parse_error(text: &str) -> Result<f64, String> {
         .filter(|percent| percent.is_finite() && *percent > 0.0)
         .map(|percent| percent / 100.0)
         .ok_or_else(|| "write a percentage above 0, for example 1%".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+    use std::time::Duration;
+
+    use super::{NoExtra, Options, Stage, StatsTarget, parse_error, parse_time};
+
+    const STAGE: Stage = Stage {
+        name: "stage",
+        about: "",
+        scene: "teapot",
+        samples: 1,
+        depth: None,
+        estimates: true,
+    };
+
+    fn parse(line: &'static str) -> Options<NoExtra> {
+        let arguments = line.split_whitespace().map(Into::into);
+        Options::parse_for(&STAGE, arguments).unwrap_or_else(|error| panic!("{line}: {error}"))
+    }
+
+    #[test]
+    fn nothing_is_needed() {
+        let options = parse("stage");
+        assert_eq!(options.scene, PathBuf::from("teapot"), "the scene");
+        assert_eq!((options.seed, options.threads, options.size), (0, None, None), "the defaults");
+    }
+
+    #[test]
+    fn every_option_is_read() {
+        let options = parse(
+            "stage a.toml -o b.exr --size 64x48 --samples 9 --depth 0 --time 2m --seed 7 \
+             --threads 3 --pixel 1,2 --stats - --preview --quiet",
+        );
+        assert_eq!(options.scene, PathBuf::from("a.toml"), "the scene");
+        assert_eq!(options.output, Some(PathBuf::from("b.exr")), "the output");
+        assert_eq!((options.size, options.pixel), (Some([64, 48]), Some([1, 2])), "the pairs");
+        assert_eq!((options.samples, options.depth), (Some(9), Some(0)), "the numbers");
+        assert_eq!((options.seed, options.threads), (7, Some(3)), "the numbers");
+        assert_eq!(options.stats, Some(StatsTarget::StandardOutput), "the statistics");
+        assert_eq!(options.time, Some(Duration::from_secs(120)), "the time");
+        assert!(options.preview && options.quiet, "the switches");
+    }
+
+    #[test]
+    fn times_and_errors_have_units() {
+        let times = ["10s", "0.5 s", "250ms", "2m", "1h"].map(|text| parse_time(text).ok());
+        let expected = [10_000, 500, 250, 120_000, 3_600_000].map(Duration::from_millis).map(Some);
+        assert_eq!(times, expected, "the times");
+        for wrong in ["10", "s", "-1s", "0s", "nans", "infs", "1e300h", "10 min"] {
+            assert!(parse_time(wrong).is_err(), "`{wrong}` was accepted as a time");
+        }
+        assert_eq!(parse_error("2%"), Ok(0.02), "two per cent");
+        for wrong in ["1", "%", "-1%", "0%", "nan%", "inf%"] {
+            assert!(parse_error(wrong).is_err(), "`{wrong}` was accepted as an error");
+        }
+    }
 }

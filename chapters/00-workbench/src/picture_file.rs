@@ -29,20 +29,16 @@ impl PictureFormat {
         match extension.to_ascii_lowercase().as_str() {
             "png" => Ok(Self::Png),
             "exr" => Ok(Self::Exr),
-            _ => Err(
-                "a picture's name must end with `.png` (8-bit sRGB) or `.exr` (32-bit float)"
-                    .to_owned(),
-            ),
+            _ => Err("a picture's name must end with `.png` (8-bit sRGB) or `.exr` (32-bit float)"
+                .to_owned()),
         }
     }
 }
 
 /// Writes `image` in the format that the extension names, completely or not at all.
 pub(crate) fn save(image: &Image, path: &Path) -> Result<(), Error> {
-    let format = PictureFormat::of(path).map_err(|reason| Error::Picture {
-        path: path.to_owned(),
-        reason,
-    })?;
+    let format = PictureFormat::of(path)
+        .map_err(|reason| Error::Picture { path: path.to_owned(), reason })?;
     atomic_file::write_file(path, |writer| {
         let Image { width, height, .. } = *image;
         let written = match format {
@@ -64,12 +60,7 @@ pub(crate) fn save(image: &Image, path: &Path) -> Result<(), Error> {
 
 /// The floats of the picture as the encoder wants them: their bytes in the machine's order.
 fn float_bytes(image: &Image) -> Vec<u8> {
-    image
-        .pixels
-        .as_flattened()
-        .iter()
-        .flat_map(|value| value.to_ne_bytes())
-        .collect()
+    image.pixels.as_flattened().iter().flat_map(|value| value.to_ne_bytes()).collect()
 }
 
 fn into_io(error: ImageError) -> io::Error {
@@ -84,11 +75,7 @@ pub(crate) fn load_exr(path: &Path) -> Result<Image, Error> {
     let image = decode(path, ImageFormat::OpenExr)?.into_rgb32f();
     let (width, height) = image.dimensions();
     let pixels = image.into_raw().as_chunks::<3>().0.to_vec();
-    Ok(Image {
-        width,
-        height,
-        pixels,
-    })
+    Ok(Image { width, height, pixels })
 }
 
 /// Reads the size and the sRGB bytes of a PNG file, three a pixel.
@@ -111,9 +98,7 @@ fn decode(path: &Path, format: ImageFormat) -> Result<image::DynamicImage, Error
     let mut limits = Limits::default();
     limits.max_alloc = Some(DECODER_MEMORY);
     reader.limits(limits);
-    reader
-        .decode()
-        .map_err(|error| unreadable(path, format, &error))
+    reader.decode().map_err(|error| unreadable(path, format, &error))
 }
 
 fn reader(
@@ -130,16 +115,9 @@ fn reader(
 }
 
 fn unreadable(path: &Path, format: ImageFormat, error: &ImageError) -> Error {
-    let name = if format == ImageFormat::Png {
-        "PNG"
-    } else {
-        "EXR"
-    };
+    let name = if format == ImageFormat::Png { "PNG" } else { "EXR" };
     let reason = format!("could not be read as a {name} picture: {error}");
-    Error::Picture {
-        path: path.to_owned(),
-        reason,
-    }
+    Error::Picture { path: path.to_owned(), reason }
 }
 
 #[cfg(test)]
@@ -160,21 +138,10 @@ mod tests {
 
     #[test]
     fn the_extension_names_the_format() {
-        assert_eq!(
-            PictureFormat::of(Path::new("a.PNG")),
-            Ok(PictureFormat::Png),
-            "a.PNG"
-        );
-        assert_eq!(
-            PictureFormat::of(Path::new("b.c.exr")),
-            Ok(PictureFormat::Exr),
-            "b.c.exr"
-        );
+        assert_eq!(PictureFormat::of(Path::new("a.PNG")), Ok(PictureFormat::Png), "a.PNG");
+        assert_eq!(PictureFormat::of(Path::new("b.c.exr")), Ok(PictureFormat::Exr), "b.c.exr");
         for name in ["a.jpg", "png", ".png", "a.png.", ""] {
-            assert!(
-                PictureFormat::of(Path::new(name)).is_err(),
-                "`{name}` was accepted"
-            );
+            assert!(PictureFormat::of(Path::new(name)).is_err(), "`{name}` was accepted");
         }
     }
 
@@ -185,11 +152,7 @@ mod tests {
         let path = folder.path().join("gradient.exr");
         gradient().save(&path).expect("the picture is written");
         let loaded = Image::load_exr(&path).expect("the picture is read");
-        assert_eq!(
-            loaded.hash(),
-            gradient().hash(),
-            "the hash after a round trip"
-        );
+        assert_eq!(loaded.hash(), gradient().hash(), "the hash after a round trip");
     }
 
     #[test]
@@ -198,11 +161,7 @@ mod tests {
         let path = folder.path().join("gradient.png");
         gradient().save(&path).expect("the picture is written");
         let loaded = Image::load_png(&path).expect("the picture is read");
-        assert_eq!(
-            loaded.to_srgb8(),
-            gradient().to_srgb8(),
-            "the bytes after a round trip"
-        );
+        assert_eq!(loaded.to_srgb8(), gradient().to_srgb8(), "the bytes after a round trip");
     }
 
     #[test]
@@ -210,9 +169,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a temporary folder");
         for [width, height] in [[1, 1], [1, 9], [9, 1]] {
             let path = folder.path().join("line.exr");
-            Image::new(width, height)
-                .save(&path)
-                .expect("the picture is written");
+            Image::new(width, height).save(&path).expect("the picture is written");
             let loaded = Image::load_exr(&path).expect("the picture is read");
             assert_eq!([loaded.width, loaded.height], [width, height], "the size");
         }
@@ -223,12 +180,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let path = folder.path().join("text.png");
         fs::write(&path, "this is no picture").expect("the file is written");
-        let message = Image::load_png(&path)
-            .expect_err("text was read as a picture")
-            .to_string();
-        assert!(
-            message.contains("text.png") && message.contains("PNG"),
-            "{message}"
-        );
+        let message = Image::load_png(&path).expect_err("text was read as a picture").to_string();
+        assert!(message.contains("text.png") && message.contains("PNG"), "{message}");
     }
 }

@@ -112,11 +112,7 @@ impl Recorder {
     #[must_use]
     pub fn new() -> Self {
         let shards = (0..SHARDS).map(|_| Shard::default()).collect();
-        Self {
-            shards,
-            telling: AtomicBool::new(false),
-            to_stderr: false,
-        }
+        Self { shards, telling: AtomicBool::new(false), to_stderr: false }
     }
 
     /// The same, but the story goes to standard error: standard output belongs to the statistics.
@@ -129,10 +125,7 @@ impl Recorder {
     #[must_use]
     pub fn get(&self, counter: Counter) -> u64 {
         // Integers, so the sum is the same whatever thread counted what.
-        self.shards
-            .iter()
-            .map(|shard| shard.0[counter as usize].load(Ordering::Relaxed))
-            .sum()
+        self.shards.iter().map(|shard| shard.0[counter as usize].load(Ordering::Relaxed)).sum()
     }
 
     /// Whether sentences are printed from now on.
@@ -159,5 +152,35 @@ impl Probe for Recorder {
         if self.telling.load(Ordering::Relaxed) {
             crate::run::say(self.to_stderr, &sentence());
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Counter, Probe, Recorder, Unwatched};
+    use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
+    #[test]
+    fn counts_are_exact_on_many_threads() {
+        let recorder = Recorder::new();
+        (0..10_000_u64).into_par_iter().for_each(|i| recorder.count(Counter::ShadowRays, i));
+        assert_eq!(recorder.get(Counter::ShadowRays), 49_995_000, "the sum of 0 to 9999");
+        assert_eq!(recorder.get(Counter::CameraRays), 0, "another counter");
+    }
+
+    #[test]
+    fn every_counter_has_a_place_and_a_name_of_its_own() {
+        for (i, counter) in Counter::ALL.into_iter().enumerate() {
+            assert_eq!(counter as usize, i, "the place of {counter:?}");
+            let same = Counter::ALL.iter().filter(|other| other.name() == counter.name()).count();
+            assert_eq!(same, 1, "counters called {:?}", counter.name());
+        }
+    }
+
+    #[test]
+    fn nothing_is_told_unless_it_was_asked_for() {
+        let sentence = || -> String { panic!("the sentence was put together") };
+        Unwatched.tell(sentence);
+        Recorder::new().tell(sentence);
     }
 }

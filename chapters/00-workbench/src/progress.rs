@@ -1,46 +1,46 @@
 //! The progress bar.
 
 use std::fmt::Write;
+use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 /// What the bar shows; its length is the number of samples.
-const TEMPLATE: &str = "{wide_bar} {tiles}, {rays} camera rays/s, {eta} left";
+const TEMPLATE: &str = "{wide_bar} {tiles}, {rays} camera rays/s, {left} left";
 
 /// A bar on standard error, hidden when that is no terminal or when it is not wanted.
 ///
-/// Tiles are counted once per pass over the film: `tiles` of them.
+/// A tile that gets several samples a pixel is done in parts, hence the tiles "× samples".
 pub(crate) fn bar(samples: u64, samples_per_pixel: u32, tiles: u64, quiet: bool) -> ProgressBar {
-    let target = if quiet {
-        ProgressDrawTarget::hidden()
-    } else {
-        ProgressDrawTarget::stderr()
-    };
+    let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
     let bar = ProgressBar::with_draw_target(Some(samples), target);
     let samples_per_tile = (samples / tiles.max(1)).max(1);
-    let style = ProgressStyle::with_template(TEMPLATE).map(|style| {
-        style
-            .with_key(
-                "tiles",
-                move |state: &ProgressState, text: &mut dyn Write| {
-                    // With several samples a pixel, a tile is done in parts.
-                    let done = state.pos() / samples_per_tile;
-                    let each = if samples_per_pixel > 1 {
-                        format!(" × {samples_per_pixel}")
-                    } else {
-                        String::new()
-                    };
-                    let _ = write!(text, "{done}/{tiles} tiles{each}");
-                },
-            )
-            .with_key("rays", |state: &ProgressState, text: &mut dyn Write| {
-                let _ = write!(text, "{}", with_prefix(state.per_sec()));
+    let each = match samples_per_pixel {
+        1 => String::new(),
+        several => format!(" × {several}"),
+    };
+    if let Ok(style) = ProgressStyle::with_template(TEMPLATE) {
+        // Writing to the bar's text cannot fail.
+        let style = style
+            .with_key("tiles", move |state: &ProgressState, text: &mut dyn Write| {
+                let _ = write!(text, "{}/{tiles} tiles{each}", state.pos() / samples_per_tile);
             })
-    });
-    if let Ok(style) = style {
+            .with_key("rays", |state: &ProgressState, text: &mut dyn Write| {
+                let _ = write!(text, "{}", with_prefix(rate(state)));
+            })
+            .with_key("left", |state: &ProgressState, text: &mut dyn Write| {
+                let left = state.len().unwrap_or(0).saturating_sub(state.pos());
+                let left = Duration::try_from_secs_f64(left as f64 / rate(state));
+                let _ = write!(text, "{:#}", HumanDuration(left.unwrap_or_default()));
+            });
         bar.set_style(style);
     }
     bar
+}
+
+/// Samples a second since the beginning; the bar's own rate takes a quarter of a minute to settle.
+fn rate(state: &ProgressState) -> f64 {
+    state.pos() as f64 / state.elapsed().as_secs_f64()
 }
 
 /// A number with three digits or so: 950, 12.3 k, 4.5 M.

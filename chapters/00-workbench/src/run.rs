@@ -70,9 +70,7 @@ impl<E: Args> Run<E> {
     fn start(stage: &'static Stage, options: Options<E>) -> Result<Self, Error> {
         interrupt::listen()?;
         if let Some(threads) = options.threads {
-            let pool = rayon::ThreadPoolBuilder::new()
-                .num_threads(threads)
-                .build_global();
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
             pool.map_err(|error| Error::Threads(error.to_string()))?;
         }
         Ok(Self::new(stage, options))
@@ -119,20 +117,14 @@ impl<E: Args> Run<E> {
         let path = self.scene_path.get_or_init(|| path);
         self.check_targets()?;
         let (loaded, seconds) = timed(|| load(path));
-        self.seconds.update(|all| Seconds {
-            load: all.load + seconds,
-            ..all
-        });
+        self.seconds.update(|all| Seconds { load: all.load + seconds, ..all });
         loaded.map_err(Into::into)
     }
 
     /// Calls `build`, and measures its time.
     pub fn build<T>(&self, build: impl FnOnce() -> T) -> T {
         let (built, seconds) = timed(build);
-        self.seconds.update(|all| Seconds {
-            build: all.build + seconds,
-            ..all
-        });
+        self.seconds.update(|all| Seconds { build: all.build + seconds, ..all });
         built
     }
 
@@ -147,7 +139,8 @@ impl<E: Args> Run<E> {
 
     /// Renders on all cores: calls `radiance` for every sample of every pixel.
     ///
-    /// Size and samples are those of the command line, else of the scene, else of the stage. The
+    /// Size and samples are those of the command line, else of the scene, else of the stage; with
+    /// `--time` alone, as many samples as there is time for. The
     /// first two numbers of the sampler have placed the film point in its pixel; the rest are for
     /// `radiance`. Under `--pixel`, only that pixel is rendered, by one thread.
     pub fn render<P: Probe, R: Into<[f32; 3]>>(
@@ -158,11 +151,11 @@ impl<E: Args> Run<E> {
     ) -> Result<Film, Error> {
         let size = self.options.size.unwrap_or(exposure.size);
         check_size(size).map_err(Error::Memory)?;
-        let samples = self
-            .options
-            .samples
-            .or(exposure.samples)
-            .unwrap_or(self.stage.samples);
+        let samples = match (self.options.samples, self.options.time) {
+            (Some(samples), _) => samples,
+            (None, Some(_)) => u32::MAX,
+            (None, None) => exposure.samples.unwrap_or(self.stage.samples),
+        };
         self.samples.set(samples);
         self.check_pixel(size)?;
 
@@ -172,10 +165,7 @@ impl<E: Args> Run<E> {
             self.expose(&mut film, samples, &radiance);
             film
         });
-        self.seconds.update(|all| Seconds {
-            render: all.render + seconds,
-            ..all
-        });
+        self.seconds.update(|all| Seconds { render: all.render + seconds, ..all });
         probe.count(Counter::CameraRays, film.total_samples());
         Ok(film)
     }
@@ -188,22 +178,11 @@ impl<E: Args> Run<E> {
         radiance: &(impl Fn(FilmPoint, &mut Sampler) -> R + Sync),
     ) {
         let [width, height] = film.size();
-        let pixels = if self.options.pixel.is_some() {
-            1
-        } else {
-            u64::from(width) * u64::from(height)
-        };
+        let pixels =
+            if self.options.pixel.is_some() { 1 } else { u64::from(width) * u64::from(height) };
         let hidden = self.options.quiet || self.options.pixel.is_some();
-        let bar = progress::bar(
-            pixels * u64::from(samples),
-            samples,
-            film.tile_count(),
-            hidden,
-        );
-        let deadline = self
-            .options
-            .time
-            .and_then(|time| Instant::now().checked_add(time));
+        let bar = progress::bar(pixels * u64::from(samples), samples, film.tile_count(), hidden);
+        let deadline = self.options.time.and_then(|time| Instant::now().checked_add(time));
         let stop = || interrupt::stop() || deadline.is_some_and(|end| Instant::now() >= end);
         // The first pass takes one sample a pixel: under `--pixel`, that is the path to tell of.
         self.set_telling(self.options.pixel.is_some());
@@ -243,10 +222,7 @@ impl<E: Args> Run<E> {
         }
         if self.options.preview && self.options.pixel.is_none() {
             let columns = u32::from(Term::stdout().size().1);
-            say(
-                self.stdout_is_taken(),
-                preview::half_blocks(&image, columns).trim_end(),
-            );
+            say(self.stdout_is_taken(), preview::half_blocks(&image, columns).trim_end());
         }
         let interrupted = interrupt::stop();
         if !self.options.quiet {
@@ -264,10 +240,7 @@ impl<E: Args> Run<E> {
     /// The name of the scene file without its extension.
     fn scene_name(&self) -> String {
         let path = self.scene_path.get().unwrap_or(&self.options.scene);
-        path.file_stem()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned()
+        path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
     }
 
     /// Whether standard output belongs to the statistics.
@@ -297,17 +270,12 @@ impl<E: Args> Run<E> {
     }
 
     fn write_statistics(&self, film: &Film, target: &StatsTarget) -> Result<(), Error> {
-        let groups = |name| {
-            self.recorder
-                .as_ref()
-                .map(|r| group(r, name))
-                .unwrap_or_default()
-        };
+        let groups = |name| self.recorder.as_ref().map(|r| group(r, name)).unwrap_or_default();
         let statistics = Statistics {
             stage: self.stage.name,
             scene: &self.scene_name(),
             size: film.size(),
-            samples: self.samples.get(),
+            samples: film.samples()[1],
             threads: rayon::current_num_threads(),
             seed: self.options.seed,
             seconds: self.seconds.get(),
@@ -322,35 +290,29 @@ impl<E: Args> Run<E> {
     /// The summary: the picture, the time, and what else the user should know.
     fn summary(&self, film: &Film, interrupted: bool) -> String {
         let [width, height] = film.size();
-        let Seconds {
-            load,
-            build,
-            render,
-        } = self.seconds.get();
-        let threads = rayon::current_num_threads();
+        let Seconds { load, build, render } = self.seconds.get();
+        let threads = match rayon::current_num_threads() {
+            1 => "1 thread".to_owned(),
+            threads => format!("{threads} threads"),
+        };
         let mut text = String::new();
         // Writing to a string cannot fail.
         if self.options.pixel.is_none() {
             let _ = writeln!(
                 text,
                 "{}: {width}×{height} pixels, {} a pixel; load {load:.3} s, build {build:.3} s, \
-                 render {render:.3} s, {threads} threads",
+                 render {render:.3} s, {threads}",
                 self.output().display(),
                 samples_text(film.samples()),
             );
         }
         let interruption = interrupted.then(|| {
             let held = samples_text(film.samples());
-            format!(
-                "interrupted: the picture holds {held} a pixel of {}",
-                self.samples.get()
-            )
+            format!("interrupted: the picture holds {held} a pixel of {}", self.samples.get())
         });
         let notices = self.notices.borrow();
-        let sentences = interruption
-            .into_iter()
-            .chain(non_finite(film))
-            .chain(notices.iter().cloned());
+        let sentences =
+            interruption.into_iter().chain(non_finite(film)).chain(notices.iter().cloned());
         for sentence in sentences {
             let _ = writeln!(text, "note: {sentence}");
         }
@@ -395,13 +357,8 @@ pub(crate) fn say(to_stderr: bool, line: &str) {
 /// Writes to standard output; a full disk behind it is an error like any other.
 pub(crate) fn write_stdout(text: &str) -> Result<(), Error> {
     let mut stdout = io::stdout();
-    let written = stdout
-        .write_all(text.as_bytes())
-        .and_then(|()| stdout.flush());
-    written.map_err(|source| Error::Write {
-        path: PathBuf::from("standard output"),
-        source,
-    })
+    let written = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
+    written.map_err(|source| Error::Write { path: PathBuf::from("standard output"), source })
 }
 
 /// Writes to standard error; if that fails, there is nowhere to say so.

@@ -28,28 +28,17 @@ pub enum SceneError {
 impl SceneError {
     /// A fault of the file as a whole.
     pub(crate) fn file(path: &Path, reason: impl Into<String>) -> Self {
-        Self::Content {
-            path: path.to_owned(),
-            line: None,
-            reason: reason.into(),
-        }
+        Self::Content { path: path.to_owned(), line: None, reason: reason.into() }
     }
 
     /// A fault of one line, counted from 1.
     pub(crate) fn line(path: &Path, line: usize, reason: impl Into<String>) -> Self {
-        Self::Content {
-            path: path.to_owned(),
-            line: Some(line),
-            reason: reason.into(),
-        }
+        Self::Content { path: path.to_owned(), line: Some(line), reason: reason.into() }
     }
 
     /// A fault that the operating system reports.
     pub(crate) fn read(path: &Path, source: io::Error) -> Self {
-        Self::Read {
-            path: path.to_owned(),
-            source,
-        }
+        Self::Read { path: path.to_owned(), source }
     }
 
     /// The file at fault.
@@ -67,18 +56,10 @@ impl fmt::Display for SceneError {
             Self::Read { path, source } => {
                 write!(f, "`{}`: could not be read: {source}", path.display())
             }
-            Self::Content {
-                path,
-                line: None,
-                reason,
-            } => {
+            Self::Content { path, line: None, reason } => {
                 write!(f, "`{}`: {reason}", path.display())
             }
-            Self::Content {
-                path,
-                line: Some(line),
-                reason,
-            } => {
+            Self::Content { path, line: Some(line), reason } => {
                 write!(f, "`{}`, line {line}: {reason}", path.display())
             }
         }

@@ -13,12 +13,12 @@ use crate::text_lines::LONGEST_LINE;
 use crate::texture::Textures;
 use crate::toml_table::{Item, Source, Table, shortened};
 use crate::{
-    CameraRecord, MaterialRecord, MeshRecord, PointLightRecord, QuadRecord, SceneError,
+    CameraRecord, Exposure, MaterialRecord, MeshRecord, PointLightRecord, QuadRecord, SceneError,
     SphereRecord, SurfaceKind, TextureRecord, corners, suggestion,
 };
 
-/// The largest scene file in bytes; parsing may take 50 times as much memory.
-const LARGEST_FILE: usize = 64 << 20;
+/// The largest scene file in bytes; parsing may take 75 times as much memory.
+const LARGEST_FILE: usize = 48 << 20;
 
 /// A scene file as plain records, with the meshes it names.
 ///
@@ -58,9 +58,7 @@ impl SceneFile {
         let failed = |error| SceneError::read(path, error);
         let mut bytes = Vec::new();
         let file = File::open(path).map_err(failed)?;
-        file.take(LARGEST_FILE as u64 + 1)
-            .read_to_end(&mut bytes)
-            .map_err(failed)?;
+        file.take(LARGEST_FILE as u64 + 1).read_to_end(&mut bytes).map_err(failed)?;
         let text = String::from_utf8(bytes).map_err(|error| {
             let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
             let line = 1 + valid.iter().filter(|&&byte| byte == b'\n').count();
@@ -79,6 +77,12 @@ impl SceneFile {
         })?;
         SceneReader::read(&Table::root(source, document.get_ref()), path)
     }
+
+    /// Size and samples, as the file wishes.
+    #[must_use]
+    pub fn exposure(&self) -> Exposure {
+        Exposure { size: self.camera.size, samples: self.samples }
+    }
 }
 
 /// Keeps the memory that parsing takes within bounds.
@@ -89,11 +93,9 @@ fn check_length(path: &Path, text: &str) -> Result<(), SceneError> {
         return Err(SceneError::file(path, reason));
     }
     match text.lines().position(|line| line.len() > LONGEST_LINE) {
-        Some(i) => Err(SceneError::line(
-            path,
-            i + 1,
-            format!("is longer than {LONGEST_LINE} bytes"),
-        )),
+        Some(i) => {
+            Err(SceneError::line(path, i + 1, format!("is longer than {LONGEST_LINE} bytes")))
+        }
         None => Ok(()),
     }
 }
@@ -143,14 +145,10 @@ impl<'a> SceneReader<'a> {
             .iter()
             .map(|t| reader.sphere(t))
             .collect::<Result<_, _>>()?;
-        let quads = each("quad", "[[quad]]")?
-            .iter()
-            .map(|t| reader.quad(t))
-            .collect::<Result<_, _>>()?;
-        let meshes = each("mesh", "[[mesh]]")?
-            .iter()
-            .map(|t| reader.mesh(t))
-            .collect::<Result<_, _>>()?;
+        let quads =
+            each("quad", "[[quad]]")?.iter().map(|t| reader.quad(t)).collect::<Result<_, _>>()?;
+        let meshes =
+            each("mesh", "[[mesh]]")?.iter().map(|t| reader.mesh(t)).collect::<Result<_, _>>()?;
         Ok(SceneFile {
             path: path.to_owned(),
             ambient,
@@ -170,17 +168,14 @@ impl<'a> SceneReader<'a> {
     fn read_materials(&mut self, table: &Table<'a>) -> Result<(), SceneError> {
         for item in table.items() {
             let record = self.material(item.key, &item.table("the material")?)?;
-            self.by_name
-                .insert(record.name.clone(), self.materials.len() as u32);
+            self.by_name.insert(record.name.clone(), self.materials.len() as u32);
             self.materials.push(record);
         }
         Ok(())
     }
 
     fn material(&mut self, name: &str, table: &Table<'a>) -> Result<MaterialRecord, SceneError> {
-        table.check_keys(&[
-            "surface", "kd", "ks", "ns", "kr", "ni", "kt", "ke", "map_kd",
-        ])?;
+        table.check_keys(&["surface", "kd", "ks", "ns", "kr", "ni", "kt", "ke", "map_kd"])?;
         let default = MaterialRecord::new(name);
         let color = |key, default| Ok(optional(table, key, Item::color)?.unwrap_or(default));
         let at_least_zero =
@@ -202,9 +197,7 @@ impl<'a> SceneReader<'a> {
 
     fn texture(&mut self, item: &Item<'_>) -> Result<u32, SceneError> {
         let path = self.beside(item.text()?);
-        self.textures
-            .index_of(&path)
-            .map_err(|reason| item.error(reason))
+        self.textures.index_of(&path).map_err(|reason| item.error(reason))
     }
 
     /// The path of a file that the scene file names.
@@ -227,9 +220,7 @@ impl<'a> SceneReader<'a> {
         table.check_keys(&["center", "radius", "material"])?;
         Ok(SphereRecord {
             center: table.require("center")?.vector()?,
-            radius: table
-                .require("radius")?
-                .number_that(|r| r > 0.0, "it must be above 0")?,
+            radius: table.require("radius")?.number_that(|r| r > 0.0, "it must be above 0")?,
             material: self.material_index(&table.require("material")?)?,
         })
     }
@@ -241,20 +232,14 @@ impl<'a> SceneReader<'a> {
         if let Some(fault) = corners::quad_fault(vertices) {
             return Err(item.error(fault));
         }
-        Ok(QuadRecord {
-            vertices,
-            material: self.material_index(&table.require("material")?)?,
-        })
+        Ok(QuadRecord { vertices, material: self.material_index(&table.require("material")?)? })
     }
 
     fn mesh(&mut self, table: &Table<'a>) -> Result<MeshRecord, SceneError> {
         table.check_keys(&["file", "material", "scale", "rotate", "translate"])?;
         let file = table.require("file")?;
         let path = self.beside(file.text()?);
-        if !path
-            .extension()
-            .is_some_and(|extension| extension.eq_ignore_ascii_case("obj"))
-        {
+        if !path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj")) {
             return Err(file.error("must name an `.obj` file"));
         }
         let material = optional(table, "material", |item| self.material_index(item))?;
@@ -269,10 +254,9 @@ impl<'a> SceneReader<'a> {
         };
         let mesh = mesh::load(&path, material, &mut collection).map_err(|error| match error {
             // The line that names the file helps more than the name alone.
-            SceneError::Read { path, source } => file.error(format!(
-                "names `{}`, which could not be read: {source}",
-                path.display()
-            )),
+            SceneError::Read { path, source } => {
+                file.error(format!("names `{}`, which could not be read: {source}", path.display()))
+            }
             other => other,
         })?;
         if !stays_finite(&mesh.positions, scale, translate) {
@@ -318,19 +302,11 @@ fn camera(table: &Table<'_>) -> Result<CameraRecord, SceneError> {
         );
     }
     let fov_rule = "it must be above 0 and below 180 degrees";
-    let fov = table
-        .require("fov")?
-        .number_that(|fov| fov > 0.0 && fov < 180.0, fov_rule)?;
+    let fov = table.require("fov")?.number_that(|fov| fov > 0.0 && fov < 180.0, fov_rule)?;
     let size_item = table.require("size")?;
     let size = size_item.whole_vector(1)?;
     check_size(size).map_err(|reason| size_item.error(format!("is too large: {reason}")))?;
-    Ok(CameraRecord {
-        eye,
-        target,
-        up,
-        fov,
-        size,
-    })
+    Ok(CameraRecord { eye, target, up, fov, size })
 }
 
 fn point_light(table: &Table<'_>) -> Result<PointLightRecord, SceneError> {
@@ -348,21 +324,15 @@ fn surface_kind(item: &Item<'_>) -> Result<SurfaceKind, SceneError> {
         "glass" => Ok(SurfaceKind::Glass),
         other => {
             let remark = suggestion::remark(other, ["diffuse", "mirror", "glass"]);
-            Err(item.error(format!(
-                "is `{}`, which is no kind of surface; {remark}",
-                shortened(other)
-            )))
+            Err(item
+                .error(format!("is `{}`, which is no kind of surface; {remark}", shortened(other))))
         }
     }
 }
 
 /// Whether scaling, rotating and moving keep the positions finite: |p| scale + |t| < the largest f32.
 fn stays_finite(positions: &[[f32; 3]], scale: f32, translate: [f32; 3]) -> bool {
-    let largest = |values: &[f32]| {
-        values
-            .iter()
-            .fold(0.0_f32, |most, value| most.max(value.abs()))
-    };
+    let largest = |values: &[f32]| values.iter().fold(0.0_f32, |most, value| most.max(value.abs()));
     let reach = f64::from(largest(positions.as_flattened())) * 3.0_f64.sqrt() * f64::from(scale);
     reach + f64::from(largest(&translate)) < f64::from(f32::MAX)
 }

@@ -33,11 +33,7 @@ pub fn encode(value: f32) -> u8 {
 /// The three bytes of a pixel; [`NOT_A_NUMBER`] if one of its values is NaN.
 #[must_use]
 pub fn encode_pixel(pixel: [f32; 3]) -> [u8; 3] {
-    if pixel.iter().any(|value| value.is_nan()) {
-        NOT_A_NUMBER
-    } else {
-        pixel.map(encode)
-    }
+    if pixel.iter().any(|value| value.is_nan()) { NOT_A_NUMBER } else { pixel.map(encode) }
 }
 
 /// The linear value of a byte, in [0, 1].
@@ -48,21 +44,13 @@ pub fn decode(byte: u8) -> f32 {
 
 /// The linear value of c ∈ [0, 1]: the curve read backwards.
 fn linear(c: f64) -> f64 {
-    if c <= 0.04045 {
-        c / 12.92
-    } else {
-        libm::pow((c + 0.055) / 1.055, 2.4)
-    }
+    if c <= 0.04045 { c / 12.92 } else { libm::pow((c + 0.055) / 1.055, 2.4) }
 }
 
 /// The smallest f32 that is not below `value`.
 fn at_least(value: f64) -> f32 {
     let rounded = value as f32;
-    if f64::from(rounded) < value {
-        rounded.next_up()
-    } else {
-        rounded
-    }
+    if f64::from(rounded) < value { rounded.next_up() } else { rounded }
 }
 
 #[cfg(test)]
@@ -83,23 +71,14 @@ mod tests {
     #[test]
     fn known_values_have_their_bytes() {
         let bytes = [0.0, 0.003_130_8, 0.18, 0.5, 1.0].map(encode);
-        assert_eq!(
-            bytes,
-            [0, 10, 118, 188, 255],
-            "bytes of 0, .0031308, .18, .5, 1"
-        );
+        assert_eq!(bytes, [0, 10, 118, 188, 255], "bytes of 0, .0031308, .18, .5, 1");
     }
 
     /// accuracy.md G2.
     #[test]
     fn every_byte_survives_decoding_and_encoding() {
         for byte in 0..=255 {
-            assert_eq!(
-                encode(decode(byte)),
-                byte,
-                "byte {byte}, linear {}",
-                decode(byte)
-            );
+            assert_eq!(encode(decode(byte)), byte, "byte {byte}, linear {}", decode(byte));
         }
     }
 
@@ -108,11 +87,7 @@ mod tests {
     fn values_out_of_range_are_clamped_and_nan_is_magenta() {
         let bytes = [-1.0, f32::NEG_INFINITY, 1e30, f32::INFINITY].map(encode);
         assert_eq!(bytes, [0, 0, 255, 255], "bytes of −1, −∞, 1e30, ∞");
-        assert_eq!(
-            encode_pixel([0.5, f32::NAN, 0.5]),
-            NOT_A_NUMBER,
-            "a pixel with a NaN"
-        );
+        assert_eq!(encode_pixel([0.5, f32::NAN, 0.5]), NOT_A_NUMBER, "a pixel with a NaN");
     }
 
     /// accuracy.md G4.

@@ -1,8 +1,6 @@
 //! The statistics file.
 
-use std::collections::BTreeMap;
-
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use crate::run::write_stdout;
 use crate::{Counter, Error, Recorder, StatsTarget, atomic_file};
@@ -31,17 +29,20 @@ pub(crate) struct Seconds {
     pub(crate) render: f64,
 }
 
-/// Counts by name.
-pub(crate) type Group = BTreeMap<&'static str, u64>;
+/// Counts by name, in the order of [`Counter::ALL`].
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Group(Vec<(&'static str, u64)>);
+
+impl Serialize for Group {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().copied())
+    }
+}
 
 /// The counts of one group, `rays`, `tests` or `skipped`.
 pub(crate) fn group(recorder: &Recorder, group: &str) -> Group {
-    let counters = Counter::ALL
-        .into_iter()
-        .filter(|counter| counter.name().0 == group);
-    counters
-        .map(|counter| (counter.name().1, recorder.get(counter)))
-        .collect()
+    let counters = Counter::ALL.into_iter().filter(|counter| counter.name().0 == group);
+    Group(counters.map(|counter| (counter.name().1, recorder.get(counter))).collect())
 }
 
 /// Writes the statistics, a file completely or not at all.

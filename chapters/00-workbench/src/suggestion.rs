@@ -22,11 +22,7 @@ pub(crate) fn remark<'a>(name: &str, known: impl IntoIterator<Item = &'a str> + 
     if let Some(near) = nearest(name, known.clone()) {
         return format!("did you mean `{near}`?");
     }
-    let names: Vec<_> = known
-        .into_iter()
-        .take(20)
-        .map(|name| format!("`{name}`"))
-        .collect();
+    let names: Vec<_> = known.into_iter().take(20).map(|name| format!("`{name}`")).collect();
     if names.is_empty() {
         "there is none".to_owned()
     } else {
@@ -49,10 +45,7 @@ fn distance(a: &str, b: &str) -> usize {
                 } else {
                     usize::MAX
                 };
-                replaced
-                    .min(swapped)
-                    .min(table[i - 1][j] + 1)
-                    .min(table[i][j - 1] + 1)
+                replaced.min(swapped).min(table[i - 1][j] + 1).min(table[i][j - 1] + 1)
             };
         }
     }
@@ -66,25 +59,13 @@ mod tests {
     #[test]
     fn the_nearest_name_is_found_within_half_a_word() {
         let known = ["radius", "center", "material"];
-        assert_eq!(
-            nearest("raduis", known),
-            Some("radius"),
-            "two letters swapped"
-        );
-        assert_eq!(
-            nearest("centre", known),
-            Some("center"),
-            "the other spelling"
-        );
+        assert_eq!(nearest("raduis", known), Some("radius"), "two letters swapped");
+        assert_eq!(nearest("centre", known), Some("center"), "the other spelling");
         assert_eq!(nearest("colour", known), None, "nothing is near");
     }
 
     #[test]
     fn without_a_near_name_all_are_listed() {
-        assert_eq!(
-            remark("zzz", ["kd", "ks"]),
-            "known: `kd`, `ks`",
-            "the remark"
-        );
+        assert_eq!(remark("zzz", ["kd", "ks"]), "known: `kd`, `ks`", "the remark");
     }
 }

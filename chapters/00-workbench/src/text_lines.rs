@@ -4,6 +4,7 @@ use std::io::{self, BufRead};
 use std::path::Path;
 
 use crate::SceneError;
+use crate::toml_table::shortened;
 
 /// The longest line in bytes; longer ones are no scene but an accident, or an attack.
 pub(crate) const LONGEST_LINE: usize = 1 << 20;
@@ -22,13 +23,7 @@ pub(crate) struct TextLines<'a, R> {
 
 impl<'a, R: BufRead> TextLines<'a, R> {
     pub(crate) fn new(path: &'a Path, source: R) -> Self {
-        Self {
-            path,
-            source,
-            number: 0,
-            after_cr: false,
-            buffer: Vec::new(),
-        }
+        Self { path, source, number: 0, after_cr: false, buffer: Vec::new() }
     }
 
     /// The error that the line read last deserves.
@@ -41,10 +36,7 @@ impl<'a, R: BufRead> TextLines<'a, R> {
         self.buffer.clear();
         line.clear();
         let mut found = false;
-        while self
-            .read_physical()
-            .map_err(|error| SceneError::read(self.path, error))?
-        {
+        while self.read_physical().map_err(|error| SceneError::read(self.path, error))? {
             found = true;
             self.number += 1;
             if self.buffer.len() > LONGEST_LINE {
@@ -55,10 +47,7 @@ impl<'a, R: BufRead> TextLines<'a, R> {
             }
             self.buffer.push(b' ');
         }
-        let text = self
-            .buffer
-            .strip_prefix(b"\xef\xbb\xbf")
-            .unwrap_or(&self.buffer);
+        let text = self.buffer.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&self.buffer);
         match std::str::from_utf8(text) {
             Ok(text) => line.push_str(text),
             Err(_) => line.push_str(&String::from_utf8_lossy(text)),
@@ -82,9 +71,7 @@ impl<'a, R: BufRead> TextLines<'a, R> {
                 continue;
             }
             found = true;
-            let end = bytes
-                .iter()
-                .position(|&byte| byte == b'\n' || byte == b'\r');
+            let end = bytes.iter().position(|&byte| byte == b'\n' || byte == b'\r');
             self.after_cr = end.is_some_and(|end| bytes[end] == b'\r');
             let used = end.map_or(bytes.len(), |end| end + 1);
             bytes = &bytes[..end.unwrap_or(bytes.len())];
@@ -107,13 +94,12 @@ pub(crate) fn keyword(line: &str) -> (&str, &str) {
 
 /// A finite number, or why the word is none.
 pub(crate) fn finite(word: &str) -> Result<f32, String> {
-    let shown = crate::toml_table::shortened(word);
     match word.parse::<f32>() {
         Ok(number) if number.is_finite() => Ok(number),
-        Ok(_) => Err(format!(
-            "has the value {shown}, which is not a finite 32-bit number"
-        )),
-        Err(_) => Err(format!("has `{shown}` where a number should be")),
+        Ok(_) => {
+            Err(format!("has the value {}, which is not a finite 32-bit number", shortened(word)))
+        }
+        Err(_) => Err(format!("has `{}` where a number should be", shortened(word))),
     }
 }
 
@@ -144,11 +130,7 @@ mod tests {
 
     #[test]
     fn a_backslash_joins_lines_and_bad_bytes_are_replaced() {
-        assert_eq!(
-            lines(b"f 1 2\\\r\n 3\nx"),
-            [(2, "f 1 2  3".into()), (3, "x".into())],
-            "joined"
-        );
+        assert_eq!(lines(b"f 1 2\\\r\n 3\nx"), [(2, "f 1 2  3".into()), (3, "x".into())], "joined");
         assert_eq!(lines(b"o \xff"), [(1, "o \u{fffd}".into())], "replaced");
     }
 
@@ -156,13 +138,7 @@ mod tests {
     fn a_line_without_end_is_an_error() {
         let text = vec![b'v'; 3 * LONGEST_LINE];
         let mut reader = TextLines::new(Path::new("a.obj"), text.as_slice());
-        let error = reader
-            .read(&mut String::new())
-            .expect_err("it is too long")
-            .to_string();
-        assert!(
-            error.contains("a.obj") && error.contains("line 1: is longer"),
-            "{error}"
-        );
+        let error = reader.read(&mut String::new()).expect_err("it is too long").to_string();
+        assert!(error.contains("a.obj") && error.contains("line 1: is longer"), "{error}");
     }
 }

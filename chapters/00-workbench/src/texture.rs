@@ -22,11 +22,7 @@ impl Texture {
     /// Decodes the picture of a record. Alpha is ignored, 16 bits are made 8.
     pub fn load(record: &TextureRecord) -> Result<Self, Error> {
         let ([width, height], bytes) = picture_file::load_png_bytes(&record.path)?;
-        Ok(Self {
-            width,
-            height,
-            texels: bytes.as_chunks::<3>().0.to_vec(),
-        })
+        Ok(Self { width, height, texels: bytes.as_chunks::<3>().0.to_vec() })
     }
 
     /// Linear RGB of the texel in column `x` and row `y`, counted from the top left corner.
@@ -35,11 +31,7 @@ impl Texture {
     #[inline]
     #[must_use]
     pub fn texel(&self, x: u32, y: u32) -> [f32; 3] {
-        debug_assert!(
-            x < self.width,
-            "column {x} of a texture {} texels wide",
-            self.width
-        );
+        debug_assert!(x < self.width, "column {x} of a texture {} texels wide", self.width);
         self.texels[y as usize * self.width as usize + x as usize].map(srgb::decode)
     }
 }
@@ -67,10 +59,7 @@ impl Textures {
                 path.display()
             ));
         }
-        self.records.push(TextureRecord {
-            path: path.to_owned(),
-            size,
-        });
+        self.records.push(TextureRecord { path: path.to_owned(), size });
         Ok(self.records.len() as u32 - 1)
     }
 }
@@ -110,24 +99,15 @@ mod tests {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let path = folder.path().join("huge.png");
         fs::write(&path, file).expect("the file is written");
-        let reason = Textures::default()
-            .index_of(&path)
-            .expect_err("it is too large");
-        assert!(
-            reason.contains("1000000×1000000") && reason.contains("at most"),
-            "{reason}"
-        );
+        let reason = Textures::default().index_of(&path).expect_err("it is too large");
+        assert!(reason.contains("1000000×1000000") && reason.contains("at most"), "{reason}");
     }
 
     /// The checksum of PNG chunks, bit by bit.
     fn crc32(bytes: &[u8]) -> u32 {
         !bytes.iter().fold(!0, |crc, &byte| {
             (0..8).fold(crc ^ u32::from(byte), |crc, _| {
-                if crc & 1 == 1 {
-                    (crc >> 1) ^ 0xedb8_8320
-                } else {
-                    crc >> 1
-                }
+                if crc & 1 == 1 { (crc >> 1) ^ 0xedb8_8320 } else { crc >> 1 }
             })
         })
     }

@@ -37,12 +37,7 @@ pub(crate) struct Table<'a> {
 impl<'a> Table<'a> {
     /// The table that is the whole file.
     pub(crate) fn root(source: Source<'a>, entries: &'a DeTable<'a>) -> Self {
-        Self {
-            source,
-            name: "the file",
-            offset: 0,
-            entries,
-        }
+        Self { source, name: "the file", offset: 0, entries }
     }
 
     /// Fails when the table has a key that is not in `known`.
@@ -60,15 +55,8 @@ impl<'a> Table<'a> {
 
     /// What stands at `key`, if anything does.
     pub(crate) fn get(&self, key: &'a str) -> Option<Item<'a>> {
-        let (_, value) = self
-            .entries
-            .iter()
-            .find(|(name, _)| name.get_ref().as_ref() == key)?;
-        Some(Item {
-            source: self.source,
-            key,
-            value,
-        })
+        let (_, value) = self.entries.iter().find(|(name, _)| name.get_ref().as_ref() == key)?;
+        Some(Item { source: self.source, key, value })
     }
 
     /// What stands at `key`, which must be there.
@@ -82,11 +70,7 @@ impl<'a> Table<'a> {
     /// The keys of the table with what stands there, in the order of their names.
     pub(crate) fn items(&self) -> impl Iterator<Item = Item<'a>> {
         let source = self.source;
-        self.entries.iter().map(move |(key, value)| Item {
-            source,
-            key: key.get_ref(),
-            value,
-        })
+        self.entries.iter().map(move |(key, value)| Item { source, key: key.get_ref(), value })
     }
 
     /// The tables of the array of tables `key`, none if it is left out.
@@ -97,10 +81,7 @@ impl<'a> Table<'a> {
         let DeValue::Array(array) = item.value.get_ref() else {
             return Err(item.error(format!("must be written as {name}, as often as you like")));
         };
-        array
-            .iter()
-            .map(|value| Item { value, ..item }.table(name))
-            .collect()
+        array.iter().map(|value| Item { value, ..item }.table(name)).collect()
     }
 }
 
@@ -119,19 +100,15 @@ impl<'a> Item<'a> {
     }
 
     fn error_at(&self, span: Range<usize>, reason: &str) -> SceneError {
-        self.source
-            .error(span.start, format!("`{}` {reason}", shortened(self.key)))
+        self.source.error(span.start, format!("`{}` {reason}", shortened(self.key)))
     }
 
     /// A table, which errors call `name`.
     pub(crate) fn table(&self, name: &'a str) -> Result<Table<'a>, SceneError> {
         match self.value.get_ref() {
-            DeValue::Table(entries) => Ok(Table {
-                source: self.source,
-                name,
-                offset: self.value.span().start,
-                entries,
-            }),
+            DeValue::Table(entries) => {
+                Ok(Table { source: self.source, name, offset: self.value.span().start, entries })
+            }
             _ => Err(self.error("must be a table")),
         }
     }
@@ -156,11 +133,7 @@ impl<'a> Item<'a> {
         rule: &str,
     ) -> Result<f32, SceneError> {
         let number = self.number()?;
-        if right(number) {
-            Ok(number)
-        } else {
-            Err(self.error(format!("is {number}; {rule}")))
-        }
+        if right(number) { Ok(number) } else { Err(self.error(format!("is {number}; {rule}"))) }
     }
 
     /// A whole number, at least `least`.
@@ -216,9 +189,9 @@ impl<'a> Item<'a> {
             // Read as f32 at once: by way of f64 it would be rounded twice.
             DeValue::Float(float) => float.as_str().parse().ok(),
             DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
-            DeValue::Integer(integer) => i128::from_str_radix(integer.as_str(), integer.radix())
-                .ok()
-                .map(|n| n as f32),
+            DeValue::Integer(integer) => {
+                i128::from_str_radix(integer.as_str(), integer.radix()).ok().map(|n| n as f32)
+            }
             _ => return Err(self.error_at(value.span(), "must be made of numbers")),
         };
         match number {
@@ -238,15 +211,12 @@ impl<'a> Item<'a> {
             }
             _ => None,
         };
-        number
-            .and_then(|n| u32::try_from(n).ok())
-            .filter(|&n| n >= least)
-            .ok_or_else(|| {
-                let text = shortened(&self.source.text[value.span()]).to_owned();
-                let reason =
-                    format!("has the value {text}; it must be a whole number, at least {least}");
-                self.error_at(value.span(), &reason)
-            })
+        number.and_then(|n| u32::try_from(n).ok()).filter(|&n| n >= least).ok_or_else(|| {
+            let text = shortened(&self.source.text[value.span()]).to_owned();
+            let reason =
+                format!("has the value {text}; it must be a whole number, at least {least}");
+            self.error_at(value.span(), &reason)
+        })
     }
 }
 

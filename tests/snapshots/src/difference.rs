@@ -33,22 +33,14 @@ impl Difference {
         let pixels = a.as_chunks::<3>().0.iter().zip(b.as_chunks::<3>().0);
         for (i, (a, b)) in pixels.enumerate().filter(|(_, (a, b))| a != b) {
             count += 1;
-            let largest = (0..3)
-                .map(|channel| a[channel].abs_diff(b[channel]))
-                .max()
-                .unwrap_or(0);
+            let largest = (0..3).map(|channel| a[channel].abs_diff(b[channel])).max().unwrap_or(0);
             if largest > worst {
                 (worst, at) = (largest, i);
             }
         }
         let width = got.width as usize;
         let at = [at % width.max(1), at / width.max(1)];
-        (count > 0).then_some(Self::Pixels {
-            count,
-            of: got.pixels.len(),
-            worst,
-            at,
-        })
+        (count > 0).then_some(Self::Pixels { count, of: got.pixels.len(), worst, at })
     }
 }
 
@@ -60,16 +52,8 @@ impl fmt::Display for Difference {
                 "{} x {} pixels were expected, {} x {} were got",
                 expected[0], expected[1], got[0], got[1]
             ),
-            Self::Pixels {
-                count,
-                of,
-                worst,
-                at: [x, y],
-            } => {
-                write!(
-                    f,
-                    "{count} of {of} pixels differ, by up to {worst} of 255 at ({x}, {y})"
-                )
+            Self::Pixels { count, of, worst, at: [x, y] } => {
+                write!(f, "{count} of {of} pixels differ, by up to {worst} of 255 at ({x}, {y})")
             }
         }
     }
@@ -81,10 +65,7 @@ impl fmt::Display for Difference {
 /// larger ones are brighter. Where only one of the pictures has a pixel, it is compared with black.
 pub(crate) fn side_by_side(expected: &Image, got: &Image) -> Image {
     let (a, b) = (expected.to_srgb8(), got.to_srgb8());
-    let (width, height) = (
-        expected.width.max(got.width),
-        expected.height.max(got.height),
-    );
+    let (width, height) = (expected.width.max(got.width), expected.height.max(got.height));
     let mut bytes = Vec::with_capacity(9 * width as usize * height as usize);
     for y in 0..height {
         let row = |image: &Image, bytes: &[u8]| -> Vec<[u8; 3]> {
@@ -121,22 +102,14 @@ mod tests {
 
     #[test]
     fn equal_pictures_have_no_difference() {
-        assert_eq!(
-            Difference::between(&grey(4, 3), &grey(4, 3)),
-            None,
-            "grey and grey"
-        );
+        assert_eq!(Difference::between(&grey(4, 3), &grey(4, 3)), None, "grey and grey");
     }
 
     #[test]
     fn a_difference_below_one_level_of_255_is_none() {
         let mut nearly = grey(4, 3);
         nearly.pixels[5][1] *= 1.0 + 1e-6;
-        assert_eq!(
-            Difference::between(&grey(4, 3), &nearly),
-            None,
-            "one part in a million"
-        );
+        assert_eq!(Difference::between(&grey(4, 3), &nearly), None, "one part in a million");
     }
 
     #[test]
@@ -144,27 +117,14 @@ mod tests {
         let mut bytes = grey(4, 3).to_srgb8();
         bytes[3 * 6 + 2] += 1;
         let changed = Image::from_srgb8(4, 3, &bytes);
-        let expected = Difference::Pixels {
-            count: 1,
-            of: 12,
-            worst: 1,
-            at: [2, 1],
-        };
-        assert_eq!(
-            Difference::between(&grey(4, 3), &changed),
-            Some(expected),
-            "blue at (2, 1)"
-        );
+        let expected = Difference::Pixels { count: 1, of: 12, worst: 1, at: [2, 1] };
+        assert_eq!(Difference::between(&grey(4, 3), &changed), Some(expected), "blue at (2, 1)");
     }
 
     #[test]
     fn another_size_is_a_difference() {
         let expected = Difference::Size([4, 3], [3, 4]);
-        assert_eq!(
-            Difference::between(&grey(4, 3), &grey(3, 4)),
-            Some(expected),
-            "4×3 and 3×4"
-        );
+        assert_eq!(Difference::between(&grey(4, 3), &grey(3, 4)), Some(expected), "4×3 and 3×4");
     }
 
     #[test]
@@ -174,9 +134,8 @@ mod tests {
         let shown = side_by_side(&grey(4, 3), &Image::from_srgb8(4, 3, &bytes));
         assert_eq!([shown.width, shown.height], [12, 3], "three pictures wide");
         let pixels = shown.to_srgb8();
-        let lit: Vec<usize> = (0..36)
-            .filter(|i| i % 12 >= 8 && pixels[3 * i..3 * i + 3] != [0; 3])
-            .collect();
+        let lit: Vec<usize> =
+            (0..36).filter(|i| i % 12 >= 8 && pixels[3 * i..3 * i + 3] != [0; 3]).collect();
         assert_eq!(lit, [12 + 8 + 2], "lit pixels of the third part");
         assert_eq!(pixels[3 * 22 + 2], 64, "one level is shown as 64");
     }
@@ -184,10 +143,6 @@ mod tests {
     #[test]
     fn pictures_of_different_size_can_be_put_side_by_side() {
         let shown = side_by_side(&grey(4, 3), &grey(2, 5));
-        assert_eq!(
-            [shown.width, shown.height],
-            [12, 5],
-            "the larger of both, three times"
-        );
+        assert_eq!([shown.width, shown.height], [12, 5], "the larger of both, three times");
     }
 }

@@ -43,10 +43,7 @@ macro_rules! assert_picture {
 /// If a value is not finite, if the snapshot is missing, or if picture or text differ from it.
 pub fn assert_picture_in(crate_folder: &Path, name: &str, image: &Image) {
     let safe = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-    assert!(
-        !name.is_empty() && name.chars().all(safe),
-        "`{name}` is no name for a snapshot"
-    );
+    assert!(!name.is_empty() && name.chars().all(safe), "`{name}` is no name for a snapshot");
     assert_finite(name, image);
 
     // The picture comes first, so that its difference is written even when the text differs too.
@@ -55,10 +52,7 @@ pub fn assert_picture_in(crate_folder: &Path, name: &str, image: &Image) {
         eprintln!("{sentence}");
     }
     assert_text(crate_folder, name, &summary(image));
-    assert!(
-        compared.is_ok(),
-        "the picture `{name}` is not the accepted one; see above"
-    );
+    assert!(compared.is_ok(), "the picture `{name}` is not the accepted one; see above");
 }
 
 /// A picture with a NaN in it would be stored as an odd colour, and then be right for ever after.

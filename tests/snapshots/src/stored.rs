@@ -28,9 +28,7 @@ pub(crate) fn compare(crate_folder: &Path, name: &str, image: &Image) -> Result<
         }
         let shown = show(crate_folder, name, image);
         let path = path.display();
-        return Err(format!(
-            "`{path}` is missing; the new picture is {shown}. {HOW_TO_ACCEPT}"
-        ));
+        return Err(format!("`{path}` is missing; the new picture is {shown}. {HOW_TO_ACCEPT}"));
     }
     let stored = Image::load_png(&path).map_err(|error| error.to_string())?;
     let Some(difference) = Difference::between(&stored, image) else {
@@ -58,13 +56,8 @@ fn store(path: &Path, image: &Image) -> Result<(), String> {
 
 /// Writes a picture under the target folder, and returns its path, or why there is none.
 fn show(crate_folder: &Path, name: &str, image: &Image) -> String {
-    let crate_name = crate_folder
-        .file_name()
-        .unwrap_or_default()
-        .to_string_lossy();
-    let path = target_folder()
-        .join("picture-snapshots")
-        .join(format!("{crate_name}-{name}.png"));
+    let crate_name = crate_folder.file_name().unwrap_or_default().to_string_lossy();
+    let path = target_folder().join("picture-snapshots").join(format!("{crate_name}-{name}.png"));
     match store(&path, image) {
         Ok(()) => format!("`{}`", path.display()),
         Err(sentence) => format!("not there ({sentence})"),

@@ -49,10 +49,7 @@ impl Crate {
         let temporary = tempfile::tempdir().expect("a temporary folder");
         let path = temporary.path().join(name);
         fs::create_dir(&path).expect("a folder of the crate");
-        Self {
-            _temporary: temporary,
-            path,
-        }
+        Self { _temporary: temporary, path }
     }
 
     /// A crate whose picture has been accepted.
@@ -77,10 +74,7 @@ impl Crate {
             .output()
             .expect("the test program starts");
         let text = [output.stdout, output.stderr].concat();
-        (
-            output.status.success(),
-            String::from_utf8_lossy(&text).into_owned(),
-        )
+        (output.status.success(), String::from_utf8_lossy(&text).into_owned())
     }
 }
 
@@ -91,16 +85,9 @@ fn an_accepted_picture_passes_and_lies_in_the_crate_as_text_and_png() {
     assert!(passes, "the same picture failed:\n{text}");
     let stored = package.path.join("tests/snapshots");
     let snapshot = fs::read_to_string(stored.join("gradient.snap")).expect("the text is stored");
-    assert!(
-        snapshot.contains("size     8 x 6"),
-        "stored text:\n{snapshot}"
-    );
+    assert!(snapshot.contains("size     8 x 6"), "stored text:\n{snapshot}");
     let png = Image::load_png(&stored.join("gradient.png")).expect("the PNG is stored");
-    assert_eq!(
-        png.to_srgb8(),
-        picture("right").to_srgb8(),
-        "pixels of the stored PNG"
-    );
+    assert_eq!(png.to_srgb8(), picture("right").to_srgb8(), "pixels of the stored PNG");
 }
 
 #[test]
@@ -109,13 +96,8 @@ fn a_missing_snapshot_fails_and_writes_nothing_under_ci() {
         let package = Crate::new("missing");
         let (passes, text) = package.verdict("right", environment);
         assert!(!passes, "{environment:?} passed:\n{text}");
-        assert!(
-            text.contains("INSTA_UPDATE=always"),
-            "no word on how to accept it:\n{text}"
-        );
-        let left = fs::read_dir(&package.path)
-            .expect("the folder exists")
-            .count();
+        assert!(text.contains("INSTA_UPDATE=always"), "no word on how to accept it:\n{text}");
+        let left = fs::read_dir(&package.path).expect("the folder exists").count();
         assert_eq!(left, 0, "{environment:?} left files in the crate");
     }
 }
@@ -125,21 +107,11 @@ fn a_changed_pixel_fails_with_numbers_and_a_picture_of_the_difference() {
     let package = Crate::accepted("changed-pixel");
     let (passes, text) = package.verdict("pixel", CHECK);
     assert!(!passes, "a changed pixel passed:\n{text}");
-    assert!(
-        text.contains("1 of 48 pixels differ, by up to 51 of 255 at (4, 2)"),
-        "{text}"
-    );
-    let path = text
-        .split("difference: `")
-        .nth(1)
-        .and_then(|rest| rest.split('`').next());
+    assert!(text.contains("1 of 48 pixels differ, by up to 51 of 255 at (4, 2)"), "{text}");
+    let path = text.split("difference: `").nth(1).and_then(|rest| rest.split('`').next());
     let path = path.unwrap_or_else(|| panic!("no path is printed:\n{text}"));
     let shown = Image::load_png(path.as_ref()).expect("the difference is a PNG");
-    assert_eq!(
-        [shown.width, shown.height],
-        [24, 6],
-        "size of the three pictures"
-    );
+    assert_eq!([shown.width, shown.height], [24, 6], "size of the three pictures");
 }
 
 #[test]
@@ -149,11 +121,7 @@ fn a_changed_pixel_fails_without_any_environment_too() {
     assert!(!passes, "a changed pixel passed:\n{text}");
     let png = Image::load_png(&package.path.join("tests/snapshots/gradient.png"));
     let png = png.expect("the PNG is still there").to_srgb8();
-    assert_eq!(
-        png,
-        picture("right").to_srgb8(),
-        "the stored PNG was changed"
-    );
+    assert_eq!(png, picture("right").to_srgb8(), "the stored PNG was changed");
 }
 
 #[test]
@@ -161,10 +129,7 @@ fn a_changed_bit_that_no_png_can_show_fails_by_its_hash() {
     let package = Crate::accepted("last-bit");
     let (passes, text) = package.verdict("last bit", CHECK);
     assert!(!passes, "a changed bit passed:\n{text}");
-    assert!(
-        !text.contains("pixels differ"),
-        "the PNG should be equal:\n{text}"
-    );
+    assert!(!text.contains("pixels differ"), "the PNG should be equal:\n{text}");
 }
 
 #[test]
@@ -172,10 +137,7 @@ fn another_size_fails() {
     let package = Crate::accepted("another-size");
     let (passes, text) = package.verdict("wider", CHECK);
     assert!(!passes, "a wider picture passed:\n{text}");
-    assert!(
-        text.contains("8 x 6 pixels were expected, 9 x 6 were got"),
-        "{text}"
-    );
+    assert!(text.contains("8 x 6 pixels were expected, 9 x 6 were got"), "{text}");
 }
 
 #[test]
