@@ -51,6 +51,7 @@ struct PixelSum {
 }
 
 impl PixelSum {
+    // ANCHOR: add
     #[inline]
     fn add(&mut self, radiance: [f32; 3]) {
         let radiance = radiance.map(f64::from);
@@ -63,6 +64,7 @@ impl PixelSum {
             }
         }
     }
+    // ANCHOR_END: add
 
     /// The mean of the finite samples: black before the first sample, NaN when none was finite.
     fn mean(&self) -> [f32; 3] {

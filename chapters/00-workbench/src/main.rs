@@ -19,6 +19,7 @@ fn main() -> std::process::ExitCode {
     })
 }
 
+// ANCHOR: paint
 fn paint<P: Probe>(run: &Run<NoExtra>, probe: &P) -> Result<Finished, Error> {
     let scene = run.load(SceneFile::load)?;
     let film = run.render(scene.exposure(), probe, |point, sampler| {
@@ -27,3 +28,4 @@ fn paint<P: Probe>(run: &Run<NoExtra>, probe: &P) -> Result<Finished, Error> {
     })?;
     run.save(&film)
 }
+// ANCHOR_END: paint

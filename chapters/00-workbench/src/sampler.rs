@@ -14,6 +14,7 @@ pub struct Sampler {
 }
 
 impl Sampler {
+    // ANCHOR: new
     /// The numbers of sample number `sample` of pixel number `pixel` (row by row from the top).
     #[inline]
     #[must_use]
@@ -21,6 +22,7 @@ impl Sampler {
         let state = mixed(mixed(mixed(seed) ^ pixel) ^ sample);
         Self { generator: Pcg32::new(state, mixed(state)) }
     }
+    // ANCHOR_END: new
 
     /// The next number, uniform in [0, 1), one of 2²⁴ values.
     ///
@@ -43,6 +45,7 @@ fn unit_float(bits: u32) -> f32 {
     (bits >> 8) as f32 * (1.0 / 16_777_216.0)
 }
 
+// ANCHOR: mixed
 /// A bijection of 64-bit numbers in which every input bit changes about half of the output bits:
 /// one step of SplitMix64 (Steele, Lea and Flood 2014).
 #[inline]
@@ -52,6 +55,7 @@ fn mixed(x: u64) -> u64 {
     let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     x ^ (x >> 31)
 }
+// ANCHOR_END: mixed
 
 #[cfg(test)]
 mod tests {

@@ -12,23 +12,27 @@ use std::sync::LazyLock;
 /// What a pixel that is not a number looks like: magenta, which nobody takes for a result.
 pub const NOT_A_NUMBER: [u8; 3] = [255, 0, 255];
 
+// ANCHOR: thresholds
 /// `THRESHOLDS[k]` is the smallest linear value whose byte is k + 1.
 ///
 /// Looking a value up in them is as exact as the formula in infinite precision, and cannot fail to
 /// be monotone.
 static THRESHOLDS: LazyLock<[f32; 255]> =
     LazyLock::new(|| std::array::from_fn(|k| at_least(linear((k as f64 + 0.5) / 255.0))));
+// ANCHOR_END: thresholds
 
 /// The linear value of each byte.
 static LINEAR: LazyLock<[f32; 256]> =
     LazyLock::new(|| std::array::from_fn(|byte| linear(byte as f64 / 255.0) as f32));
 
+// ANCHOR: encode
 /// The byte of a linear value: 0 below 0, 255 above 1; also 0 for NaN, but see [`encode_pixel`].
 #[must_use]
 pub fn encode(value: f32) -> u8 {
     // At most 255 thresholds lie below any value.
     THRESHOLDS.partition_point(|&threshold| threshold <= value) as u8
 }
+// ANCHOR_END: encode
 
 /// The three bytes of a pixel; [`NOT_A_NUMBER`] if one of its values is NaN.
 #[must_use]

@@ -79,7 +79,7 @@ impl Geometry {
     #[must_use]
     pub fn intersect_primitive(&self, ray: &PreparedRay, primitive: u32) -> Option<Hit> {
         match self.sphere(primitive) {
-            None => triangle::intersect(&ray.sheared, self.corners(primitive), primitive),
+            None => triangle::intersect(&ray.sheared, &self.corners(primitive), primitive),
             Some(sphere) => intersect_sphere(sphere, &ray.ray, primitive),
         }
     }

@@ -2,6 +2,7 @@
 
 use glam::Vec2;
 
+// ANCHOR: hit
 /// Where a ray met a primitive.
 ///
 /// Only what the search itself knows: normal, texture coordinates and material are looked up once,
@@ -16,3 +17,4 @@ pub struct Hit {
     /// Weights of a triangle's vertices 1 and 2 (vertex 0 has the rest); zero on a sphere.
     pub barycentric: Vec2,
 }
+// ANCHOR_END: hit

@@ -6,6 +6,7 @@ use crate::geometry::{Geometry, PreparedRay};
 use crate::hit::Hit;
 use crate::ray::Ray;
 
+// ANCHOR: trait
 /// A set of primitives that a ray can be tested against.
 ///
 /// Chapter 1 implements this by looking at every primitive, chapter 4 by descending a tree;
@@ -22,6 +23,7 @@ pub trait Intersect: Sync {
         self.intersect(ray).is_some()
     }
 }
+// ANCHOR_END: trait
 
 /// Looks at every primitive: the plainest search there is, and the oracle of all others.
 pub struct LinearSearch<'a, P> {

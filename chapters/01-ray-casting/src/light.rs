@@ -35,7 +35,13 @@ impl PointLight {
     /// Far away, a lamp sends E = L A cos θ / r² to a surface that faces it, and a white Lambertian
     /// surface answers with E/π: hence I = L A / π, times the lamp's own cos θ.
     #[must_use]
-    pub fn flat_lamp(position: Vec3, normal: Vec3, area: f32, radiance: Rgb, lamp: Range<u32>) -> Self {
+    pub fn flat_lamp(
+        position: Vec3,
+        normal: Vec3,
+        area: f32,
+        radiance: Rgb,
+        lamp: Range<u32>,
+    ) -> Self {
         Self { position, intensity: radiance * (area / PI), normal: Some(normal), lamp }
     }
 

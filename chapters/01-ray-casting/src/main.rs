@@ -30,6 +30,7 @@ fn main() -> ExitCode {
     })
 }
 
+// ANCHOR: render
 fn render<P: Probe>(run: &Run<Extra>, probe: &P) -> Result<Finished, Error> {
     let scene = run.load(Scene::load)?;
     simplifications(&scene).into_iter().for_each(|sentence| run.note(sentence));
@@ -40,3 +41,4 @@ fn render<P: Probe>(run: &Run<Extra>, probe: &P) -> Result<Finished, Error> {
     })?;
     run.save(&film)
 }
+// ANCHOR_END: render

@@ -10,6 +10,7 @@ use glam::{Vec2, Vec3};
 use crate::hit::Hit;
 use crate::ray::Ray;
 
+// ANCHOR: intersect
 /// The hit of `ray` on the triangle with these vertices, if `ray.extent` admits it.
 ///
 /// Cramer's rule for **o** + t **d** = (1 − u − v) **v**₀ + u **v**₁ + v **v**₂, with
@@ -34,3 +35,4 @@ pub fn intersect(ray: &Ray, vertices: [Vec3; 3], primitive: u32) -> Option<Hit> 
     let inside = u >= 0.0 && v >= 0.0 && u + v <= 1.0;
     (inside && ray.admits(t)).then_some(Hit { t, primitive, barycentric: Vec2::new(u, v) })
 }
+// ANCHOR_END: intersect

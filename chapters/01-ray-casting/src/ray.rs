@@ -7,6 +7,7 @@ use glam::Vec3;
 
 use crate::interval::Interval;
 
+// ANCHOR: ray
 /// A half-line restricted to `extent`.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
@@ -20,6 +21,7 @@ pub struct Ray {
     /// The lower end is left out, so that a ray that starts on a surface (t = 0) does not hit it.
     pub extent: Interval,
 }
+// ANCHOR_END: ray
 
 impl Ray {
     /// The whole half-line in front of `origin`.

@@ -181,10 +181,14 @@ struct Placement {
 
 impl Placement {
     fn of(mesh: &MeshRecord) -> Self {
-        let [x, y, z] = mesh.rotate.map(|degrees| math::sin_cos_f64(f64::from(degrees).to_radians()));
-        let about_x = DMat3::from_cols(DVec3::X, DVec3::new(0.0, x.1, x.0), DVec3::new(0.0, -x.0, x.1));
-        let about_y = DMat3::from_cols(DVec3::new(y.1, 0.0, -y.0), DVec3::Y, DVec3::new(y.0, 0.0, y.1));
-        let about_z = DMat3::from_cols(DVec3::new(z.1, z.0, 0.0), DVec3::new(-z.0, z.1, 0.0), DVec3::Z);
+        let [x, y, z] =
+            mesh.rotate.map(|degrees| math::sin_cos_f64(f64::from(degrees).to_radians()));
+        let about_x =
+            DMat3::from_cols(DVec3::X, DVec3::new(0.0, x.1, x.0), DVec3::new(0.0, -x.0, x.1));
+        let about_y =
+            DMat3::from_cols(DVec3::new(y.1, 0.0, -y.0), DVec3::Y, DVec3::new(y.0, 0.0, y.1));
+        let about_z =
+            DMat3::from_cols(DVec3::new(z.1, z.0, 0.0), DVec3::new(-z.0, z.1, 0.0), DVec3::Z);
         let rotation = about_z * about_y * about_x;
         Self {
             linear: f64::from(mesh.scale) * rotation,

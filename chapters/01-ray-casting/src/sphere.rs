@@ -14,6 +14,7 @@ pub struct Sphere {
 }
 
 impl Sphere {
+    // ANCHOR: intersect
     /// The smallest t that `ray` admits on the sphere.
     ///
     /// With **f** = **o** − **c**, the points **o** + t **d** of the sphere solve
@@ -54,8 +55,10 @@ impl Sphere {
         let (near, far) = if t0 < t1 { (t0, t1) } else { (t1, t0) };
         [near, far].into_iter().find(|&t| ray.admits(t) && t < f32::INFINITY)
     }
+    // ANCHOR_END: intersect
 }
 
+// ANCHOR: intersect_naive
 /// The school formula in single precision, kept to show what it gets wrong.
 ///
 /// At distance 10⁴ from a unit sphere its t is hundreds of units in the last place off.
@@ -72,6 +75,7 @@ pub fn intersect_naive(sphere: &Sphere, ray: &Ray) -> Option<f32> {
     let root = discriminant.sqrt();
     [(b - root) / a, (b + root) / a].into_iter().find(|&t| ray.admits(t))
 }
+// ANCHOR_END: intersect_naive
 
 #[cfg(test)]
 mod tests {

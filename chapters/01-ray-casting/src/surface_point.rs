@@ -106,6 +106,7 @@ pub(crate) fn rounding_box(position: Vec3, extent: Vec3) -> Vec3 {
 /// γ(16) of double precision, as a bound for sums and products of a handful of terms.
 const DOUBLE_ROUNDING: f32 = 16.0 * f64::EPSILON as f32;
 
+// ANCHOR: offset_by_epsilon
 /// The folklore version, kept to show what it breaks: moves by a constant, whatever the scale.
 ///
 /// Too small a constant leaves points in their own shadow (acne), too large a one detaches shadows
@@ -114,3 +115,4 @@ const DOUBLE_ROUNDING: f32 = 16.0 * f64::EPSILON as f32;
 pub fn offset_by_epsilon(surface: &SurfacePoint, direction: Vec3, epsilon: f32) -> Ray {
     Ray { origin: surface.position, direction, extent: Interval::new(epsilon, f32::INFINITY) }
 }
+// ANCHOR_END: offset_by_epsilon

@@ -61,6 +61,7 @@ impl ShearedRay {
         }
     }
 
+    // ANCHOR: shear
     /// `vertex` relative to the origin, sheared so that the ray runs along z.
     ///
     /// ```text
@@ -70,16 +71,18 @@ impl ShearedRay {
     /// z is off by at most u |A_z|, x and y by γ(6) max(|A_x|, |A_y|, |A_z|): two roundings on the
     /// first term and five on the second, whose factor d_x/d_z is at most 1, one of them shared.
     #[inline]
-    fn shear(&self, vertex: Vec3) -> [f32; 3] {
-        let v = vertex.to_array();
+    fn shear(&self, vertex: &Vec3) -> [f32; 3] {
+        let v: &[f32; 3] = vertex.as_ref();
         let [x, y, z] = self.axes;
         let a_z = v[z] - self.origin[2];
         let a_x = v[x] - self.origin[0] - self.shear[0] * a_z;
         let a_y = v[y] - self.origin[1] - self.shear[1] * a_z;
         [a_x, a_y, a_z]
     }
+    // ANCHOR_END: shear
 }
 
+// ANCHOR: intersect
 /// The hit of `ray` on the triangle with these vertices, if `ray.extent` admits it.
 ///
 /// With the sheared vertices a, b, c, twice the signed areas that the ray cuts off are
@@ -95,10 +98,10 @@ impl ShearedRay {
 /// `primitive` is only handed on to the hit.
 #[inline]
 #[must_use]
-pub fn intersect(ray: &ShearedRay, vertices: [Vec3; 3], primitive: u32) -> Option<Hit> {
-    let a = ray.shear(vertices[0]);
-    let b = ray.shear(vertices[1]);
-    let c = ray.shear(vertices[2]);
+pub fn intersect(ray: &ShearedRay, vertices: &[Vec3; 3], primitive: u32) -> Option<Hit> {
+    let a = ray.shear(&vertices[0]);
+    let b = ray.shear(&vertices[1]);
+    let c = ray.shear(&vertices[2]);
 
     // Rounding is monotone, so p ≥ q makes fl(p) ≥ fl(q): a difference of two rounded products has
     // the right sign unless it is zero (or NaN, after an overflow), and neither zero nor NaN rejects.
@@ -132,7 +135,9 @@ fn decide(ray: &ShearedRay, sheared: [[f32; 3]; 3], primitive: u32) -> Option<Hi
     }
     Some(Hit { t, primitive, barycentric: Vec2::new((v / det) as f32, (w / det) as f32) })
 }
+// ANCHOR_END: intersect
 
+// ANCHOR: lies_in_front
 /// Whether the hit lies beyond the origin whatever the roundings did.
 ///
 /// If all vertices lie in front by more than the roundings can have moved them, so does every point
@@ -157,7 +162,8 @@ fn lies_in_front(sheared: [[f64; 3]; 3], weights: [f64; 3], forward: f64) -> boo
         return true;
     }
     let [a, b, c] = sheared;
-    let (e, f): ([f64; 3], [f64; 3]) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
+    let (e, f): ([f64; 3], [f64; 3]) =
+        ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
     let normal = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
     let slope = (normal[0].abs() + normal[1].abs()) / normal[2].abs();
 
@@ -165,3 +171,4 @@ fn lies_in_front(sheared: [[f64; 3]; 3], weights: [f64; 3], forward: f64) -> boo
     let mean = |x: [f64; 3]| (weights[0] * x[0] + weights[1] * x[1] + weights[2] * x[2]) / det;
     mean(depth) > rounding * mean(size) * (1.0 + slope)
 }
+// ANCHOR_END: lies_in_front

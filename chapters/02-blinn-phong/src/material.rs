@@ -23,7 +23,11 @@ impl Material {
     /// k_d where the texture coordinates are what `coordinates` returns, asked only if needed.
     #[inline]
     #[must_use]
-    pub fn diffuse_reflectance(&self, pictures: &[Picture], coordinates: impl FnOnce() -> Vec2) -> Rgb {
+    pub fn diffuse_reflectance(
+        &self,
+        pictures: &[Picture],
+        coordinates: impl FnOnce() -> Vec2,
+    ) -> Rgb {
         match self.map_kd {
             None => self.kd,
             Some(picture) => self.kd * pictures[picture as usize].sample(coordinates()),
@@ -40,12 +44,8 @@ impl Material {
 impl From<&MaterialRecord> for Material {
     /// A mirror or a glass, which this chapter does not know, becomes a matt surface of its colour.
     fn from(record: &MaterialRecord) -> Self {
-        let matt = |kd: [f32; 3]| Self {
-            kd: Rgb::from_array(kd),
-            map_kd: None,
-            ks: Rgb::ZERO,
-            ns: 0.0,
-        };
+        let matt =
+            |kd: [f32; 3]| Self { kd: Rgb::from_array(kd), map_kd: None, ks: Rgb::ZERO, ns: 0.0 };
         match record.surface {
             SurfaceKind::Diffuse => Self {
                 kd: Rgb::from_array(record.kd),

@@ -28,6 +28,15 @@ pub trait BoundingVolume: Copy + Send + Sync + 'static {
     /// that reports a hit at t makes this interval contain t.
     fn clip(&self, query: &Self::Query) -> Interval;
 
+    /// Two volumes in the form in which they are tested together.
+    type Pair: Copy + Send + Sync;
+
+    /// Puts two volumes side by side.
+    fn pair(left: &Self, right: &Self) -> Self::Pair;
+
+    /// What [`clip`](Self::clip) says of the two volumes of a pair.
+    fn clip_pair(pair: &Self::Pair, query: &Self::Query) -> [Interval; 2];
+
     /// Area of the volume's surface, in squared scene units: how likely a random line meets it.
     fn surface_area(&self) -> f32;
 }

@@ -10,7 +10,8 @@ use rayon::join;
 use crate::aabb::Aabb;
 use crate::bounding_volume::BoundingVolume;
 use crate::item::Item;
-use crate::node::{Content, Node, Pair};
+use crate::layout::lay_out;
+use crate::node::{Link, Node, Pair};
 use crate::split::{Builder, Split, split};
 
 /// Below this many primitives a task costs more than it brings.
@@ -18,16 +19,16 @@ const PARALLEL: usize = 4096;
 
 /// From this depth on ranges are halved by count, so that no tree is deeper than
 /// `HALVING_DEPTH` + 32 and the traversal's stack always suffices.
-const HALVING_DEPTH: u32 = 48;
+const HALVING_DEPTH: u32 = 31;
 
 /// The deepest that a tree can be: 2³² items halve 32 times, mixed leaves split once more.
 pub(crate) const MAX_DEPTH: usize = HALVING_DEPTH as usize + 33;
 
 /// A tree before its leaves have been turned into primitives.
-pub(crate) struct Topology<V> {
-    /// The whole tree.
-    pub(crate) root: Node<V>,
-    /// Children, a parent's before those below them, left before right.
+pub(crate) struct Topology<V: BoundingVolume> {
+    /// The whole tree; `None` if there is nothing to enclose.
+    pub(crate) root: Option<Node<V>>,
+    /// Children, ordered by [`lay_out`].
     pub(crate) pairs: Vec<Pair<V>>,
     /// Leaves name ranges of these.
     pub(crate) items: Vec<Item>,
@@ -36,13 +37,17 @@ pub(crate) struct Topology<V> {
 /// Builds a tree of `V` over all primitives of `geometry`.
 pub(crate) fn build<V: BoundingVolume>(geometry: &Geometry, builder: Builder) -> Topology<V> {
     let mut items = Item::all(geometry);
+    if items.is_empty() {
+        return Topology { root: None, pairs: Vec::new(), items };
+    }
     let bounds = bounds(&items);
     // n primitives have at most n − 1 inner nodes, hence pairs of children.
-    let mut slots: Vec<Option<Pair<V>>> = vec![None; items.len().saturating_sub(1)];
+    let mut slots: Vec<Option<[Node<V>; 2]>> = vec![None; items.len() - 1];
     let task = Task { geometry, builder };
-    let root = task.node(&bounds, Range { first: 0, pair: 0, depth: 0 }, &mut items, &mut slots);
-    let (root, pairs) = compact(root, slots);
-    Topology { root, pairs, items }
+    let mut root =
+        task.node(&bounds, Range { first: 0, pair: 0, depth: 0 }, &mut items, &mut slots);
+    let pairs = lay_out(&mut root, &slots);
+    Topology { root: Some(root), pairs, items }
 }
 
 /// Where a part of the tree belongs.
@@ -67,13 +72,15 @@ impl Task<'_> {
         bounds: &Aabb,
         range: Range,
         items: &mut [Item],
-        slots: &mut [Option<Pair<V>>],
+        slots: &mut [Option<[Node<V>; 2]>],
     ) -> Node<V> {
         let volume = V::enclosing(bounds, items, self.geometry);
         let builder = if range.depth < HALVING_DEPTH { self.builder } else { Builder::Median };
         let Some(Split { left_count, left, right }) = self.split(builder, bounds, items) else {
-            let content = if self.is_sphere(items.first()) { Content::Spheres } else { Content::Triangles };
-            return Node { volume, first: range.first, count: items.len() as u16, content };
+            let count = items.len() as i32;
+            let count = if self.is_sphere(items.first()) { -count } else { count };
+            let link = Link { first: range.first, count };
+            return Node { volume, link };
         };
 
         let (left_items, right_items) = items.split_at_mut(left_count);
@@ -91,7 +98,7 @@ impl Task<'_> {
         let (left, right) =
             if parallel { join(build_left, build_right) } else { (build_left(), build_right()) };
         *own = Some([left, right]);
-        Node { volume, first: range.pair, count: 0, content: Content::Children }
+        Node { volume, link: Link::children(range.pair) }
     }
 
     /// Splits as the builder says; a leaf of two kinds of primitives is split by kind.
@@ -115,27 +122,4 @@ impl Task<'_> {
 /// The box around all items.
 pub(crate) fn bounds(items: &[Item]) -> Aabb {
     items.iter().fold(Aabb::EMPTY, |all, item| all.union(&item.bounds))
-}
-
-/// Drops the slots that large leaves left unused, and renumbers the children.
-fn compact<V: Copy>(mut root: Node<V>, slots: Vec<Option<Pair<V>>>) -> (Node<V>, Vec<Pair<V>>) {
-    let mut used = 0;
-    let new_index: Vec<u32> = slots
-        .iter()
-        .map(|slot| {
-            let index = used;
-            used += u32::from(slot.is_some());
-            index
-        })
-        .collect();
-    let renumber = |node: &mut Node<V>| {
-        if node.content == Content::Children {
-            node.first = new_index[node.first as usize];
-        }
-    };
-    renumber(&mut root);
-    let mut pairs: Vec<Pair<V>> = slots.into_iter().flatten().collect();
-    pairs.iter_mut().flatten().for_each(renumber);
-    pairs.shrink_to_fit();
-    (root, pairs)
 }

@@ -9,15 +9,15 @@ use workbench::{Counter, Probe};
 use crate::aabb::Aabb;
 use crate::bounding_volume::BoundingVolume;
 use crate::builder::{self, MAX_DEPTH};
-use crate::node::{Content, Node, Pair};
+use crate::node::{Link, Node, Pair};
 use crate::split::Builder;
 
 /// A binary tree whose nodes are enclosed by volumes of the kind `V`.
 ///
 /// It keeps its own copy of the primitives, in the order of its leaves: what is tested together lies
 /// together in memory.
-pub struct BvTree<'p, V, P> {
-    root: Node<V>,
+pub struct BvTree<'p, V: BoundingVolume, P> {
+    root: Option<Node<V>>,
     pairs: Vec<Pair<V>>,
     triangles: Vec<[Vec3; 3]>,
     triangle_names: Vec<u32>,
@@ -58,20 +58,58 @@ impl<'p, V: BoundingVolume, P: Probe> BvTree<'p, V, P> {
                 }
             }
         }
-        for node in tree.pairs.iter_mut().flatten().chain([&mut tree.root]) {
-            if node.content != Content::Children && node.count > 0 {
-                node.first = place[node.first as usize];
+        let links = tree.pairs.iter_mut().flat_map(|pair| &mut pair.links);
+        for link in links.chain(tree.root.as_mut().map(|root| &mut root.link)) {
+            if !link.is_inner() {
+                link.first = place[link.first as usize];
             }
         }
         tree
     }
 
-    /// Whether there is nothing in it that a ray could hit.
+    /// How large the tree has become.
     #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.triangles.is_empty() && self.spheres.is_empty()
+    pub fn shape(&self) -> Shape {
+        let mut shape = Shape { bytes: self.bytes(), ..Shape::default() };
+        let mut waiting: Vec<_> = self.root.iter().map(|root| (root.link, 1)).collect();
+        while let Some((link, depth)) = waiting.pop() {
+            shape.depth = shape.depth.max(depth);
+            if link.is_inner() {
+                shape.inner_nodes += 1;
+                let Pair { links, .. } = &self.pairs[link.first as usize];
+                waiting.extend(links.map(|link| (link, depth + 1)));
+            } else {
+                shape.leaves += 1;
+            }
+        }
+        shape
+    }
+
+    /// The memory that a search reads.
+    fn bytes(&self) -> usize {
+        size_of_val(&self.pairs[..])
+            + size_of_val(&self.triangles[..])
+            + size_of_val(&self.triangle_names[..])
+            + size_of_val(&self.spheres[..])
+            + size_of_val(&self.sphere_names[..])
     }
 }
+
+/// The size of a tree.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Shape {
+    /// Nodes with two children.
+    pub inner_nodes: usize,
+    /// Nodes with primitives.
+    pub leaves: usize,
+    /// Nodes on the longest way from the root to a leaf, both included.
+    pub depth: usize,
+    /// Memory of nodes and primitives, in bytes.
+    pub bytes: usize,
+}
+
+/// A scene of fewer primitives is searched faster without a tree.
+pub const TINY: u32 = 8;
 
 /// A volume is worth entering if the ray is inside it before `max`, the nearest hit so far.
 #[inline]
@@ -89,77 +127,63 @@ impl<V: BoundingVolume, P: Probe> Intersect for BvTree<'_, V, P> {
         let mut tests = Tests::default();
         let mut stack = Stack::new();
         let (query, mut next) = self.enter(&ray.ray, &mut tests);
-        while let Some(node) = next {
-            match node.content {
-                Content::Children => {
-                    let [left, right] = &self.pairs[node.first as usize];
-                    let (in_left, in_right) = (left.volume.clip(&query), right.volume.clip(&query));
-                    tests.volume += 2;
-                    let max = ray.ray.extent.max;
-                    next = match (is_entered(in_left, max), is_entered(in_right, max)) {
-                        (true, true) if in_left.min <= in_right.min => {
-                            stack.push(2 * node.first + 1, in_right.min);
-                            Some(left)
-                        }
-                        (true, true) => {
-                            stack.push(2 * node.first, in_left.min);
-                            Some(right)
-                        }
-                        (true, false) => Some(left),
-                        (false, true) => Some(right),
-                        (false, false) => self.pop(&mut stack, max),
-                    };
-                }
-                Content::Triangles | Content::Spheres => {
-                    tests.primitive += u64::from(node.count);
-                    self.intersect_leaf(node, &mut ray, &mut nearest);
-                    next = self.pop(&mut stack, ray.ray.extent.max);
-                }
+        while let Some(link) = next {
+            if link.is_inner() {
+                tests.volume += 2;
+                next = self.descend(link, &query, ray.ray.extent.max, &mut stack);
+            } else {
+                tests.primitive += u64::from(link.count.unsigned_abs());
+                self.intersect_leaf(link, &mut ray, &mut nearest);
+                next = stack.pop(ray.ray.extent.max);
             }
         }
         tests.report(self.probe);
         nearest
     }
 
-    /// As above, but any hit will do, so the first one ends the search and no order is better than
-    /// another that is not known beforehand: nearer first still finds one sooner.
+    /// As above, but any hit will do: the first one ends the search.
     fn occluded(&self, ray: &Ray) -> bool {
         let ray = PreparedRay::new(ray);
-        let max = ray.ray.extent.max;
         let mut tests = Tests::default();
         let mut stack = Stack::new();
         let (query, mut next) = self.enter(&ray.ray, &mut tests);
-        while let Some(node) = next {
-            match node.content {
-                Content::Children => {
-                    let [left, right] = &self.pairs[node.first as usize];
-                    let (in_left, in_right) = (left.volume.clip(&query), right.volume.clip(&query));
-                    tests.volume += 2;
-                    next = match (is_entered(in_left, max), is_entered(in_right, max)) {
-                        (true, true) if in_left.min <= in_right.min => {
-                            stack.push(2 * node.first + 1, in_right.min);
-                            Some(left)
-                        }
-                        (true, true) => {
-                            stack.push(2 * node.first, in_left.min);
-                            Some(right)
-                        }
-                        (true, false) => Some(left),
-                        (false, true) => Some(right),
-                        (false, false) => self.pop(&mut stack, max),
-                    };
+        while let Some(link) = next {
+            if link.is_inner() {
+                tests.volume += 2;
+                next = self.descend(link, &query, ray.ray.extent.max, &mut stack);
+            } else {
+                if self.is_leaf_hit(link, &ray, &mut tests) {
+                    tests.report(self.probe);
+                    return true;
                 }
-                Content::Triangles | Content::Spheres => {
-                    if self.is_leaf_hit(node, &ray, &mut tests) {
-                        tests.report(self.probe);
-                        return true;
-                    }
-                    next = self.pop(&mut stack, max);
-                }
+                next = stack.pop(ray.ray.extent.max);
             }
         }
         tests.report(self.probe);
         false
+    }
+}
+
+impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
+    /// The child that the ray enters first; if it enters both before `max`, the other waits. If it
+    /// enters none, whatever waits on top.
+    #[inline(always)]
+    fn descend(&self, parent: Link, query: &V::Query, max: f32, stack: &mut Stack) -> Option<Link> {
+        let Pair { volumes, links: [left, right] } = &self.pairs[parent.first as usize];
+        let [in_left, in_right] = V::clip_pair(volumes, query);
+        match (is_entered(in_left, max), is_entered(in_right, max)) {
+            (true, true) if in_left.min <= in_right.min => {
+                stack.push(*right, in_right.min);
+                Some(*left)
+            }
+            (true, true) => {
+                stack.push(*left, in_left.min);
+                Some(*right)
+            }
+            (true, false) => Some(*left),
+            (false, true) => Some(*right),
+            (false, false) => stack.pop(max),
+        }
     }
 }
 // ANCHOR_END: traversal
@@ -168,38 +192,24 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
     /// The ray as the volumes want it, and the root if the ray enters it.
     ///
     /// A ray of no direction, or with a coordinate that is not a number, meets nothing.
-    #[inline]
-    fn enter(&self, ray: &Ray, tests: &mut Tests) -> (V::Query, Option<&Node<V>>) {
+    #[inline(always)]
+    fn enter(&self, ray: &Ray, tests: &mut Tests) -> (V::Query, Option<Link>) {
         let query = V::query(ray, self.bounds.reach(ray.origin));
         let traceable =
             ray.origin.is_finite() && ray.direction.is_finite() && ray.direction != Vec3::ZERO;
-        if !traceable || self.is_empty() {
-            return (query, None);
-        }
+        let Some(root) = self.root.as_ref().filter(|_| traceable) else { return (query, None) };
         tests.volume += 1;
-        let entered = is_entered(self.root.volume.clip(&query), ray.extent.max);
-        (query, entered.then_some(&self.root))
-    }
-
-    /// The node that waits on top of the stack, leaving out those that the ray no longer reaches.
-    #[inline]
-    fn pop(&self, stack: &mut Stack, max: f32) -> Option<&Node<V>> {
-        loop {
-            let (index, entry) = stack.pop()?;
-            if entry <= max {
-                let [left, right] = &self.pairs[index as usize / 2];
-                return Some(if index % 2 == 0 { left } else { right });
-            }
-        }
+        let entered = is_entered(root.volume.clip(&query), ray.extent.max);
+        (query, entered.then_some(root.link))
     }
 
     /// Looks for nearer hits among the primitives of a leaf; of equally near ones the one with the
     /// lowest name wins.
     #[inline]
-    fn intersect_leaf(&self, leaf: &Node<V>, ray: &mut PreparedRay, nearest: &mut Option<Hit>) {
-        let range = leaf.first as usize..leaf.first as usize + usize::from(leaf.count);
-        if leaf.content == Content::Triangles {
-            for (i, &corners) in range.clone().zip(&self.triangles[range]) {
+    fn intersect_leaf(&self, leaf: Link, ray: &mut PreparedRay, nearest: &mut Option<Hit>) {
+        let range = leaf.range();
+        if leaf.count > 0 {
+            for (i, corners) in range.clone().zip(&self.triangles[range]) {
                 if let Some(hit) = triangle::intersect(&ray.sheared, corners, i as u32) {
                     consider(Hit { primitive: self.triangle_names[i], ..hit }, ray, nearest);
                 }
@@ -215,11 +225,11 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
 
     /// Whether any primitive of the leaf is hit.
     #[inline]
-    fn is_leaf_hit(&self, leaf: &Node<V>, ray: &PreparedRay, tests: &mut Tests) -> bool {
-        let range = leaf.first as usize..leaf.first as usize + usize::from(leaf.count);
+    fn is_leaf_hit(&self, leaf: Link, ray: &PreparedRay, tests: &mut Tests) -> bool {
+        let range = leaf.range();
         let count = |test: &mut Tests| test.primitive += 1;
-        if leaf.content == Content::Triangles {
-            self.triangles[range].iter().any(|&corners| {
+        if leaf.count > 0 {
+            self.triangles[range].iter().any(|corners| {
                 count(tests);
                 triangle::intersect(&ray.sheared, corners, 0).is_some()
             })
@@ -243,29 +253,35 @@ fn consider(hit: Hit, ray: &mut PreparedRay, nearest: &mut Option<Hit>) {
 
 /// The nodes that wait, and where the ray enters each. At most one a level.
 struct Stack {
-    waiting: [(u32, f32); MAX_DEPTH],
+    waiting: [(Link, f32); MAX_DEPTH],
     len: usize,
 }
 
 impl Stack {
+    const NOTHING: (Link, f32) = (Link::children(0), 0.0);
+
     #[inline]
     const fn new() -> Self {
-        Self { waiting: [(0, 0.0); MAX_DEPTH], len: 0 }
+        Self { waiting: [Self::NOTHING; MAX_DEPTH], len: 0 }
     }
 
     #[inline]
-    const fn push(&mut self, node: u32, entry: f32) {
-        self.waiting[self.len] = (node, entry);
+    const fn push(&mut self, link: Link, entry: f32) {
+        self.waiting[self.len] = (link, entry);
         self.len += 1;
     }
 
-    #[inline]
-    const fn pop(&mut self) -> Option<(u32, f32)> {
-        if self.len == 0 {
-            return None;
+    /// What waits on top, leaving out what the ray enters only behind `max`.
+    #[inline(always)]
+    fn pop(&mut self, max: f32) -> Option<Link> {
+        while self.len > 0 {
+            self.len -= 1;
+            let (link, entry) = self.waiting[self.len];
+            if entry <= max {
+                return Some(link);
+            }
         }
-        self.len -= 1;
-        Some(self.waiting[self.len])
+        None
     }
 }
 

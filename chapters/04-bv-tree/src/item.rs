@@ -55,7 +55,12 @@ fn bounds(geometry: &Geometry, primitive: u32) -> Aabb {
 ///
 /// Double precision makes the sums nearly exact; one step outward covers the final rounding.
 #[must_use]
-pub fn extent_along(direction: Vec3, origin: Vec3, items: &[Item], geometry: &Geometry) -> Interval {
+pub(crate) fn extent_along(
+    direction: Vec3,
+    origin: Vec3,
+    items: &[Item],
+    geometry: &Geometry,
+) -> Interval {
     let (n, origin) = (direction.as_dvec3(), origin.as_dvec3());
     let (mut min, mut max) = (f64::INFINITY, f64::NEG_INFINITY);
     for item in items {

@@ -20,12 +20,8 @@ pub struct KDop<const N: usize> {
 
 /// The directions of k = 26. Those of the others are subsets.
 const AXES: [Vec3; 3] = Vec3::AXES;
-const CORNERS: [Vec3; 4] = [
-    Vec3::ONE,
-    Vec3::new(-1.0, 1.0, 1.0),
-    Vec3::new(1.0, -1.0, 1.0),
-    Vec3::new(1.0, 1.0, -1.0),
-];
+const CORNERS: [Vec3; 4] =
+    [Vec3::ONE, Vec3::new(-1.0, 1.0, 1.0), Vec3::new(1.0, -1.0, 1.0), Vec3::new(1.0, 1.0, -1.0)];
 const EDGES: [Vec3; 6] = [
     Vec3::new(1.0, 1.0, 0.0),
     Vec3::new(1.0, -1.0, 0.0),
@@ -57,6 +53,7 @@ impl<const N: usize> KDop<N> {
 }
 
 impl<const N: usize> BoundingVolume for KDop<N> {
+    type Pair = [Self; 2];
     type Query = [SlabQuery; N];
 
     fn enclosing(_: &Aabb, items: &[Item], geometry: &Geometry) -> Self {
@@ -79,6 +76,15 @@ impl<const N: usize> BoundingVolume for KDop<N> {
     fn clip(&self, query: &Self::Query) -> Interval {
         let slabs = self.slabs.iter().zip(query);
         slabs.fold(Interval::FORWARD, |inside, (&slab, query)| overlap(query.clip(slab), inside))
+    }
+
+    fn pair(left: &Self, right: &Self) -> [Self; 2] {
+        [*left, *right]
+    }
+
+    #[inline]
+    fn clip_pair(pair: &[Self; 2], query: &Self::Query) -> [Interval; 2] {
+        [pair[0].clip(query), pair[1].clip(query)]
     }
 
     /// The area of the box around it: a k-DOP's own has no short formula.

@@ -11,14 +11,15 @@ mod bv_tree;
 mod frames;
 mod item;
 mod k_dop;
+mod layout;
 mod node;
 mod obb;
 mod slab;
 mod split;
 
-pub use aabb::{Aabb, AabbQuery};
+pub use aabb::{Aabb, AabbPair, AabbQuery};
 pub use bounding_volume::BoundingVolume;
-pub use bv_tree::BvTree;
+pub use bv_tree::{BvTree, Shape, TINY};
 pub use item::Item;
 pub use k_dop::KDop;
 pub use obb::{Obb, ObbQuery};

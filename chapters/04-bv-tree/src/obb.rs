@@ -38,6 +38,7 @@ impl Obb {
 }
 
 impl BoundingVolume for Obb {
+    type Pair = [Self; 2];
     type Query = ObbQuery;
 
     /// Fits several frames and keeps the box with the least surface.
@@ -74,6 +75,15 @@ impl BoundingVolume for Obb {
             inside = overlap(turned.clip(slab), inside);
         }
         inside
+    }
+
+    fn pair(left: &Self, right: &Self) -> [Self; 2] {
+        [*left, *right]
+    }
+
+    #[inline]
+    fn clip_pair(pair: &[Self; 2], query: &Self::Query) -> [Interval; 2] {
+        [pair[0].clip(query), pair[1].clip(query)]
     }
 
     fn surface_area(&self) -> f32 {

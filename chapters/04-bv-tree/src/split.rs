@@ -53,7 +53,13 @@ fn split_at_median(items: &mut [Item]) -> Option<Split> {
     }
     let centers = center_bounds(items);
     let size = centers.max - centers.min;
-    let axis = if size.x >= size.y && size.x >= size.z { 0 } else if size.y >= size.z { 1 } else { 2 };
+    let axis = if size.x >= size.y && size.x >= size.z {
+        0
+    } else if size.y >= size.z {
+        1
+    } else {
+        2
+    };
     let middle = items.len() / 2;
     items.select_nth_unstable_by(middle, |a, b| {
         let order = a.doubled_center()[axis].total_cmp(&b.doubled_center()[axis]);
@@ -154,26 +160,32 @@ impl Binning {
     }
 
     fn fill(&self, items: &[Item]) -> Bins {
-        let add = |mut bins: Bins, item: &Item| {
-            for (axis, bin) in self.bin(item).into_iter().enumerate() {
-                let bin = &mut bins[axis][bin];
+        if items.len() < PARALLEL {
+            return self.fill_one(items);
+        }
+        let chunks = items.par_chunks(PARALLEL).map(|chunk| self.fill_one(chunk));
+        chunks.reduce(
+            || NO_BINS,
+            |mut sum, more| {
+                for (into, from) in sum.iter_mut().flatten().zip(more.iter().flatten()) {
+                    into.bounds = into.bounds.union(&from.bounds);
+                    into.count += from.count;
+                }
+                sum
+            },
+        )
+    }
+
+    fn fill_one(&self, items: &[Item]) -> Bins {
+        let mut bins = NO_BINS;
+        for item in items {
+            for (bins, bin) in bins.iter_mut().zip(self.bin(item)) {
+                let bin = &mut bins[bin];
                 bin.bounds = bin.bounds.union(&item.bounds);
                 bin.count += 1;
             }
-            bins
-        };
-        if items.len() < PARALLEL {
-            return items.iter().fold(NO_BINS, add);
         }
-        let chunks = items.par_chunks(PARALLEL).map(|chunk| chunk.iter().fold(NO_BINS, add));
-        chunks.reduce(|| NO_BINS, |a, b| {
-            let mut sum = a;
-            for (into, from) in sum.iter_mut().flatten().zip(b.iter().flatten()) {
-                into.bounds = into.bounds.union(&from.bounds);
-                into.count += from.count;
-            }
-            sum
-        })
+        bins
     }
 }
 
@@ -205,7 +217,8 @@ fn best_plane(bins: &Bins) -> Option<Plane> {
             if left.1 == 0 || right.1 == 0 {
                 continue;
             }
-            let cost = left.0.surface_area() * left.1 as f32 + right.0.surface_area() * right.1 as f32;
+            let cost =
+                left.0.surface_area() * left.1 as f32 + right.0.surface_area() * right.1 as f32;
             if best.as_ref().is_none_or(|best| cost < best.cost) {
                 best = Some(Plane { axis, bin, cost, left: left.0, right: right.0 });
             }

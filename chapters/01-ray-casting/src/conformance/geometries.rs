@@ -74,7 +74,8 @@ fn ball(center: Vec3) -> Geometry {
         let sin_theta = if at_pole { 0.0 } else { sin_theta };
         center + radius * vec3(sin_theta * cos_phi, cos_theta, sin_theta * sin_phi)
     };
-    let vertices = (0..=N).flat_map(|ring| (0..N).map(move |sector| vertex(ring, sector))).collect();
+    let vertices =
+        (0..=N).flat_map(|ring| (0..N).map(move |sector| vertex(ring, sector))).collect();
     let mut triangles = Vec::new();
     for ring in 0..N {
         for sector in 0..N {

@@ -11,7 +11,8 @@ const RAYS: u64 = 250;
 
 /// Rays for `geometry`: random, along the axes, aimed at vertices and edges, and broken ones.
 pub(super) fn all(geometry: &Geometry) -> Vec<Ray> {
-    let mut sampler = Sampler::new(2, geometry.vertices.len() as u64, u64::from(geometry.primitives()));
+    let mut sampler =
+        Sampler::new(2, geometry.vertices.len() as u64, u64::from(geometry.primitives()));
     let targets = targets(geometry);
     let (center, size) = extent(&targets);
     let mut rays = broken();

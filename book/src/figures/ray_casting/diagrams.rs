@@ -1,0 +1,156 @@
+//! Drawings of the derivations. Nothing in them is measured.
+
+use std::fmt::Write;
+
+use crate::figures::Drawing;
+
+/// A drawing of lines and words in the colours of the page.
+struct Diagram(String);
+
+impl Diagram {
+    /// An empty drawing, 680 wide, with words for readers who cannot see it.
+    fn new(height: u32, description: &str) -> Self {
+        Self(format!(
+            "<svg class=\"plot\" viewBox=\"0 0 680 {height}\" role=\"img\" \
+             aria-label=\"{description}\" font-size=\"15\" fill=\"none\" stroke=\"none\" \
+             color=\"currentColor\">\n"
+        ))
+    }
+
+    /// A path of the given weight, in the colour of a series; series 0 is the colour of the text.
+    fn path(mut self, series: u32, width: f32, dashes: &str, path: &str) -> Self {
+        let class = if series == 0 { String::new() } else { format!(" class=\"series-{series}\"") };
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            self.0,
+            "<g{class}><path d=\"{path}\" stroke=\"currentColor\" stroke-width=\"{width}\" \
+             stroke-dasharray=\"{dashes}\" stroke-linejoin=\"round\"/></g>"
+        );
+        self
+    }
+
+    /// A line with a head at its end.
+    fn arrow(self, series: u32, from: [f32; 2], to: [f32; 2]) -> Self {
+        let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+        let length = (dx * dx + dy * dy).sqrt();
+        let (dx, dy) = (9.0 * dx / length, 9.0 * dy / length);
+        let head = |side: f32| {
+            let (x, y) = (to[0] - dx - side * 0.45 * dy, to[1] - dy + side * 0.45 * dx);
+            format!("{x:.1} {y:.1}")
+        };
+        let line = format!(
+            "M{:.1} {:.1}L{:.1} {:.1}M{}L{:.1} {:.1}L{}",
+            from[0],
+            from[1],
+            to[0],
+            to[1],
+            head(1.0),
+            to[0],
+            to[1],
+            head(-1.0)
+        );
+        self.path(series, 2.0, "none", &line)
+    }
+
+    /// A dot.
+    fn dot(mut self, series: u32, [x, y]: [f32; 2]) -> Self {
+        let class = if series == 0 { String::new() } else { format!(" class=\"series-{series}\"") };
+        let _ = writeln!(
+            self.0,
+            "<g{class}><circle cx=\"{x}\" cy=\"{y}\" r=\"4\" fill=\"currentColor\"/></g>"
+        );
+        self
+    }
+
+    /// Words that begin at, stand around or end at a point: `start`, `middle` or `end`.
+    fn text(mut self, series: u32, anchor: &str, [x, y]: [f32; 2], words: &str) -> Self {
+        let class = if series == 0 { String::new() } else { format!(" class=\"series-{series}\"") };
+        let _ = writeln!(
+            self.0,
+            "<g{class}><text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" \
+             fill=\"currentColor\">{words}</text></g>"
+        );
+        self
+    }
+
+    fn finish(self) -> Drawing {
+        Drawing::Text(self.0 + "</svg>\n")
+    }
+}
+
+/// The camera from the side: eye, picture at distance 1, the ray through a point of it.
+pub(super) fn camera() -> Drawing {
+    Diagram::new(
+        270,
+        "A pinhole camera from the side. The picture stands at distance 1 in front of the eye and \
+         reaches up and down by the tangent of half the field of view.",
+    )
+    .path(0, 1.0, "5 4", "M70 140L640 38M70 140L640 242")
+    .path(0, 1.0, "5 4", "M70 140H640")
+    .path(0, 3.0, "none", "M350 90V190")
+    .path(2, 2.0, "none", "M140 140A70 70 0 0 0 138.9 127.7")
+    .text(2, "start", [152.0, 135.0], "fov/2")
+    .arrow(0, [70.0, 140.0], [340.0, 140.0])
+    .text(0, "middle", [240.0, 158.0], "forward, length 1")
+    .path(0, 1.0, "none", "M362 90h8M366 90V140M362 140h8")
+    .text(0, "start", [376.0, 132.0], "tan(fov/2)")
+    .arrow(1, [70.0, 140.0], [560.0, 87.5])
+    .text(1, "start", [568.0, 92.0], "the ray")
+    .dot(1, [350.0, 110.0])
+    .text(1, "end", [342.0, 88.0], "film point (x, y)")
+    .dot(0, [70.0, 140.0])
+    .text(0, "middle", [58.0, 165.0], "eye")
+    .text(0, "middle", [350.0, 214.0], "picture")
+    .text(0, "middle", [350.0, 80.0], "y = 0")
+    .text(0, "start", [358.0, 194.0], "y = height")
+    .finish()
+}
+
+/// A ray and a sphere: what the stable form measures.
+pub(super) fn sphere() -> Drawing {
+    Diagram::new(
+        270,
+        "A ray crosses a sphere. The vector l stands upright on the ray and reaches it from the \
+         centre; half the chord is the root of r squared minus l squared.",
+    )
+    .path(0, 2.0, "none", "M330 130a100 100 0 1 0 200 0a100 100 0 1 0 -200 0z")
+    .arrow(1, [60.0, 70.0], [640.0, 70.0])
+    .text(1, "start", [610.0, 60.0], "ray")
+    .dot(1, [60.0, 70.0])
+    .text(1, "middle", [60.0, 56.0], "<tspan font-weight=\"bold\">o</tspan>")
+    .dot(0, [430.0, 130.0])
+    .text(0, "start", [438.0, 148.0], "<tspan font-weight=\"bold\">c</tspan>")
+    .arrow(0, [430.0, 130.0], [68.0, 72.0])
+    .text(0, "middle", [210.0, 118.0], "<tspan font-weight=\"bold\">f</tspan>")
+    .arrow(2, [430.0, 130.0], [430.0, 72.0])
+    .text(2, "start", [437.0, 106.0], "<tspan font-weight=\"bold\">l</tspan>")
+    .path(0, 1.5, "5 4", "M430 130L350 70")
+    .text(0, "end", [384.0, 112.0], "r")
+    .dot(3, [350.0, 70.0])
+    .dot(3, [510.0, 70.0])
+    .text(3, "end", [346.0, 60.0], "t₀")
+    .text(3, "start", [514.0, 60.0], "t₁")
+    .path(3, 1.0, "none", "M350 44v8M350 48H430M430 44v8")
+    .text(3, "middle", [390.0, 40.0], "√(r² − l²)")
+    .finish()
+}
+
+/// The triangle as the ray sees it: three areas around the origin.
+pub(super) fn edges() -> Drawing {
+    Diagram::new(
+        270,
+        "A triangle a, b, c seen along the ray, which is the origin. Lines from the origin to the \
+         corners cut it into three triangles, U opposite a, V opposite b, W opposite c.",
+    )
+    .path(0, 2.0, "none", "M150 220L560 190L310 40z")
+    .path(1, 1.5, "5 4", "M340 160L150 220M340 160L560 190M340 160L310 40")
+    .dot(1, [340.0, 160.0])
+    .text(1, "start", [350.0, 152.0], "the ray")
+    .text(0, "end", [140.0, 226.0], "a")
+    .text(0, "start", [570.0, 196.0], "b")
+    .text(0, "middle", [310.0, 28.0], "c")
+    .text(2, "middle", [420.0, 128.0], "U")
+    .text(2, "middle", [262.0, 146.0], "V")
+    .text(2, "middle", [350.0, 196.0], "W")
+    .finish()
+}

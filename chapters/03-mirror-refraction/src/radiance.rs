@@ -1,0 +1,215 @@
+//! The recursion: what a mirror or glass shows is found by asking the same question again.
+
+use blinn_phong::reflection::{Arriving, diffuse, specular};
+use blinn_phong::{Material, Picture};
+use glam::Vec3;
+use ray_casting::{Intersect, PointLight, Ray, Rgb, Scene, SurfacePoint};
+use workbench::{Counter, Probe, SurfaceKind};
+
+use crate::boundaries::Boundaries;
+use crate::fresnel::{Split, reflect};
+use crate::limits::Limits;
+use crate::material::Surface;
+use crate::media::Media;
+
+/// Whitted's method, over whatever finds the hits.
+pub struct RayTracer<'a, G, P> {
+    scene: &'a Scene,
+    pictures: &'a [Picture],
+    geometry: &'a G,
+    probe: &'a P,
+    limits: Limits,
+    boundaries: Boundaries<'a>,
+    at_eye: Media,
+}
+
+/// How a ray came to be.
+#[derive(Clone, Copy)]
+struct Path {
+    /// Reflections and refractions so far.
+    events: u32,
+    /// The share of what the ray finds that reaches the eye.
+    throughput: Rgb,
+    /// What the ray is in.
+    media: Media,
+}
+
+impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
+    /// A tracer for the surfaces that `geometry`, the searchable form of the scene's own, finds.
+    pub fn new(
+        scene: &'a Scene,
+        pictures: &'a [Picture],
+        geometry: &'a G,
+        probe: &'a P,
+        limits: Limits,
+    ) -> Self {
+        let boundaries = Boundaries::new(scene);
+        let forward = Ray::new(scene.camera.eye, scene.camera.forward);
+        let at_eye = boundaries.media_at(forward, geometry);
+        Self { scene, pictures, geometry, probe, limits, boundaries, at_eye }
+    }
+
+    // ANCHOR: incident_radiance
+    /// The light that arrives against `ray`, which starts at the eye.
+    #[must_use]
+    pub fn incident_radiance(&self, ray: Ray) -> Rgb {
+        self.radiance(ray, Path { events: 0, throughput: Rgb::ONE, media: self.at_eye })
+    }
+
+    /// The light that arrives against `ray`, be it from the eye or from another surface.
+    ///
+    /// ```text
+    /// nothing      L = background
+    /// diffuse      L = I_a + Σ V (I_d + I_s)                chapter 2; the recursion ends
+    /// mirror       L = k_r L(reflected)
+    /// transparent  L = F L(reflected) + (1 − F) k_t L(refracted)
+    /// ```
+    ///
+    /// The review's four cases, with what it leaves out (errata 12): Fresnel's F, total internal
+    /// reflection, where F = 1, and an end: [`RayTracer::follow`] says which rays are followed. A face
+    /// with the same index on both sides does nothing to the ray; the loop passes through it.
+    fn radiance(&self, mut ray: Ray, mut path: Path) -> Rgb {
+        let mut passed = Rgb::ONE;
+        for _ in 0..=self.boundaries.most_crossings() {
+            let Some(hit) = self.geometry.intersect(&ray) else {
+                self.probe.tell(|| "the ray leaves the scene".to_owned());
+                return passed * self.scene.background;
+            };
+            let surface = self.scene.surface(&ray, &hit);
+            let surface = self.boundaries.opaque_contact(&ray, surface);
+            self.probe.tell(|| format!("hits {:?} at {}", surface.hit, surface.position));
+
+            match self.boundaries.material(&surface) {
+                Surface::Diffuse(material) => {
+                    let lights = self.scene.lights.iter();
+                    let reflected =
+                        lights.map(|light| self.reflected(&surface, material, light)).sum::<Rgb>();
+                    return passed * (self.scene.ambient + reflected);
+                }
+                Surface::Mirror { kr } => {
+                    let reflected = surface.spawn(self.mirror_direction(&surface));
+                    let next = path.after(*kr);
+                    return passed * *kr * self.follow(Counter::ReflectionRays, reflected, next);
+                }
+                Surface::Glass { .. } => {
+                    let crossing = self.boundaries.crossing(&ray, &surface, &path.media);
+                    if crossing.eta == 1.0 {
+                        self.probe.tell(|| "passes straight through".to_owned());
+                        passed *= crossing.kt;
+                        path = Path { throughput: path.throughput * crossing.kt, ..path };
+                        path.media = crossing.beyond;
+                        ray = crossing.far.spawn(ray.direction);
+                        continue;
+                    }
+                    let split = self.split(&surface, crossing.eta);
+                    let f = Rgb::splat(split.reflectance);
+                    let reflected = crossing.near.spawn(split.reflected);
+                    let mut light =
+                        f * self.follow(Counter::ReflectionRays, reflected, path.after(f));
+                    if let Some(refracted) = split.refracted {
+                        let through = (1.0 - f) * crossing.kt;
+                        let next = Path { media: crossing.beyond, ..path.after(through) };
+                        let refracted = crossing.far.spawn(refracted);
+                        light += through * self.follow(Counter::RefractionRays, refracted, next);
+                    }
+                    return passed * light;
+                }
+            }
+        }
+        Rgb::ZERO
+    }
+
+    /// L of a reflected or refracted ray; black where it is not worth following.
+    ///
+    /// Two facing mirrors never end, so the scattering events are limited. Long before that, most
+    /// branches have a weight that no pixel shows: adaptive depth control [HallGreenberg83].
+    fn follow(&self, kind: Counter, ray: Ray, path: Path) -> Rgb {
+        let weight = path.throughput;
+        if !self.limits.allow_weight(weight.max_element()) {
+            self.probe.tell(|| format!("{kind:?}: weight {weight} is too small"));
+            self.probe.count(Counter::BranchesBelowThreshold, 1);
+            return Rgb::ZERO;
+        }
+        if !self.limits.allow_events(path.events) {
+            self.probe.tell(|| format!("{kind:?}: the depth ends here, weight {weight}"));
+            return Rgb::ZERO;
+        }
+        self.probe.count(kind, 1);
+        self.probe.tell(|| {
+            let (events, origin, direction) = (path.events, ray.origin, ray.direction);
+            format!("{kind:?} {events}: from {origin} along {direction}, weight {weight}")
+        });
+        self.radiance(ray, path)
+    }
+    // ANCHOR_END: incident_radiance
+
+    // ANCHOR: reflected
+    /// V (I_d + I_s) of one light on a diffuse surface: equations 1 and 2 of chapter 2.
+    ///
+    /// Glass throws the shadow of an opaque body: light does find ways through it, but a straight ray
+    /// to the light is none of them.
+    fn reflected(&self, surface: &SurfacePoint, material: &Material, light: &PointLight) -> Rgb {
+        if material.is_black() {
+            self.probe.count(Counter::ShadowRaysNothingToReflect, 1);
+            return Rgb::ZERO;
+        }
+        let arriving = Arriving::new(light, surface.position);
+        let faces_away = surface.facing_normal().dot(arriving.direction) <= 0.0;
+        if faces_away || arriving.strength == Rgb::ZERO {
+            self.probe.count(Counter::ShadowRaysFacingAway, 1);
+            return Rgb::ZERO;
+        }
+
+        let normal = self.scene.shading_normal(surface);
+        let coordinates = || self.scene.texture_coordinates(surface);
+        let kd = material.diffuse_reflectance(self.pictures, coordinates);
+        let reflected = diffuse(kd, &arriving, normal)
+            + specular(material.ks, material.ns, &arriving, normal, surface.wo);
+        if reflected == Rgb::ZERO {
+            self.probe.count(Counter::ShadowRaysNothingToReflect, 1);
+            return Rgb::ZERO;
+        }
+
+        self.probe.count(Counter::ShadowRays, 1);
+        let visible = light.is_visible_from(surface, self.geometry);
+        self.probe.tell(|| format!("light at {}: {reflected}, visible: {visible}", light.position));
+        if visible { reflected } else { Rgb::ZERO }
+    }
+    // ANCHOR_END: reflected
+
+    /// Where a mirror sends the viewer's ray: by the interpolated normal, unless that is into the
+    /// surface.
+    fn mirror_direction(&self, surface: &SurfacePoint) -> Vec3 {
+        let facing = surface.facing_normal();
+        let direction = reflect(surface.wo, self.scene.shading_normal(surface));
+        if direction.dot(facing) > 0.0 { direction } else { reflect(surface.wo, facing) }
+    }
+
+    /// What a boundary does to the viewer's ray: by the interpolated normal, unless that leads to the
+    /// wrong side of the surface.
+    fn split(&self, surface: &SurfacePoint, eta: f32) -> Split {
+        let facing = surface.facing_normal();
+        let split = Split::new(surface.wo, self.scene.shading_normal(surface), eta);
+        if split.respects(facing) { split } else { Split::new(surface.wo, facing, eta) }
+    }
+}
+
+impl Path {
+    /// One event on, where the light keeps this `share`.
+    fn after(&self, share: Rgb) -> Self {
+        Self { events: self.events + 1, throughput: self.throughput * share, media: self.media }
+    }
+}
+
+/// What this stage shows more plainly than the scene asks, one sentence each.
+#[must_use]
+pub fn simplifications(scene: &Scene) -> Vec<String> {
+    let mut sentences = scene.notices.clone();
+    if scene.materials.iter().any(|m| m.surface == SurfaceKind::Glass) {
+        sentences.push("glass throws the shadow of an opaque body".to_owned());
+    }
+    if scene.materials.iter().any(|m| m.ke != [0.0; 3]) {
+        sentences.push("lamps do not shine here: a point light stands in for each".to_owned());
+    }
+    sentences
+}

@@ -1,0 +1,87 @@
+//! One search for the whole render, chosen by type: no ray asks which it is.
+
+use blinn_phong::Picture;
+use bv_tree::{Aabb, Builder, BvTree, KDop, Obb, TINY};
+use clap::ValueEnum;
+use mirror_refraction::{RayTracer, Settings, simplifications};
+use ray_casting::{Intersect, LinearSearch, Scene};
+use workbench::{Error, Finished, Probe, Run};
+
+/// What this stage adds to the command line.
+#[derive(clap::Args)]
+pub(crate) struct Extra {
+    /// What encloses the nodes of the tree
+    #[arg(long, value_enum, default_value_t)]
+    volume: Volume,
+    /// Where the tree's builder divides
+    #[arg(long, value_enum, default_value_t)]
+    builder: Builder,
+    /// Weight below which a branch of the recursion is not followed; 0 follows all
+    #[arg(long, default_value_t = Settings::CUTOFF, value_parser = Settings::parse_cutoff)]
+    cutoff: f32,
+}
+
+/// The kinds of volumes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum Volume {
+    /// No tree: every ray is tested against every primitive.
+    None,
+    #[default]
+    Aabb,
+    Obb,
+    Kdop6,
+    Kdop14,
+    Kdop18,
+    Kdop26,
+}
+
+/// Renders with the search that the options ask for; a tiny scene is searched faster without a tree.
+pub(crate) fn draw<P: Probe>(run: &Run<Extra>, probe: &P) -> Result<Finished, Error> {
+    let scene = run.load(Scene::load)?;
+    let (geometry, builder) = (&scene.geometry, run.options.stage.builder);
+    let volume = if geometry.primitives() < TINY {
+        run.note(format!("no tree for {} primitives", geometry.primitives()));
+        Volume::None
+    } else {
+        run.options.stage.volume
+    };
+    match volume {
+        Volume::None => trace(run, &scene, probe, || LinearSearch::new(geometry, probe)),
+        Volume::Aabb => {
+            trace(run, &scene, probe, || BvTree::<Aabb, P>::build(geometry, builder, probe))
+        }
+        Volume::Obb => {
+            trace(run, &scene, probe, || BvTree::<Obb, P>::build(geometry, builder, probe))
+        }
+        Volume::Kdop6 => {
+            trace(run, &scene, probe, || BvTree::<KDop<3>, P>::build(geometry, builder, probe))
+        }
+        Volume::Kdop14 => {
+            trace(run, &scene, probe, || BvTree::<KDop<7>, P>::build(geometry, builder, probe))
+        }
+        Volume::Kdop18 => {
+            trace(run, &scene, probe, || BvTree::<KDop<9>, P>::build(geometry, builder, probe))
+        }
+        Volume::Kdop26 => {
+            trace(run, &scene, probe, || BvTree::<KDop<13>, P>::build(geometry, builder, probe))
+        }
+    }
+}
+
+/// Chapter 3's recursion, unchanged, over whatever search `build` makes.
+fn trace<P: Probe, G: Intersect>(
+    run: &Run<Extra>,
+    scene: &Scene,
+    probe: &P,
+    build: impl FnOnce() -> G,
+) -> Result<Finished, Error> {
+    simplifications(scene).into_iter().for_each(|sentence| run.note(sentence));
+    let pictures = Picture::load_all(scene)?;
+    let geometry = run.build(build);
+    let settings = Settings::new(run.depth(), run.options.stage.cutoff);
+    let tracer = RayTracer::new(scene, &pictures, &geometry, probe, settings);
+    let film = run.render(scene.exposure, probe, |film_point, _| {
+        tracer.incident_radiance(scene.camera.ray(film_point))
+    })?;
+    run.save(&film)
+}
