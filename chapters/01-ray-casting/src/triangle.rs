@@ -146,7 +146,7 @@ fn decide(ray: &ShearedRay, sheared: [[f32; 3]; 3], primitive: u32) -> Option<Hi
 /// vertex i by (δx, δy, δz) moves the plane at the hit by its weight times δz − s_x δx − s_y δy:
 ///
 /// ```text
-/// |δz| ≤ Σ bᵢ Mᵢ (γ(1) + γ(6) (|s_x| + |s_y|)),   Mᵢ = the largest |component| of v − o
+/// |δz| ≤ Σ bᵢ (γ(1) |zᵢ| + γ(6) Mᵢ (|s_x| + |s_y|)),   Mᵢ = the largest |component| of v − o
 /// ```
 ///
 /// M is read off the sheared vertices, whose largest component is at least half of it: γ(16) covers
@@ -169,6 +169,6 @@ fn lies_in_front(sheared: [[f64; 3]; 3], weights: [f64; 3], forward: f64) -> boo
 
     let det = weights[0] + weights[1] + weights[2];
     let mean = |x: [f64; 3]| (weights[0] * x[0] + weights[1] * x[1] + weights[2] * x[2]) / det;
-    mean(depth) > rounding * mean(size) * (1.0 + slope)
+    mean(depth) > rounding * (mean(depth.map(f64::abs)) + mean(size) * slope)
 }
 // ANCHOR_END: lies_in_front

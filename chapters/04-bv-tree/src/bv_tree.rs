@@ -1,5 +1,7 @@
 //! The tree of bounding volumes, and how a ray descends it.
 
+use std::hint::black_box;
+
 use glam::Vec3;
 use ray_casting::{
     Geometry, Hit, Intersect, Interval, PreparedRay, Ray, Sphere, intersect_sphere, triangle,
@@ -170,6 +172,8 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
     #[inline(always)]
     fn descend(&self, parent: Link, query: &V::Query, max: f32, stack: &mut Stack) -> Option<Link> {
         let Pair { volumes, links: [left, right] } = &self.pairs[parent.first as usize];
+        self.look_ahead(*left);
+        self.look_ahead(*right);
         let [in_left, in_right] = V::clip_pair(volumes, query);
         match (is_entered(in_left, max), is_entered(in_right, max)) {
             (true, true) if in_left.min <= in_right.min => {
@@ -187,6 +191,20 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
     }
 }
 // ANCHOR_END: traversal
+
+impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
+    /// Reads the beginning of what `link` leads to, and does nothing with it.
+    ///
+    /// In a large tree a step waits for memory longer than it computes. This asks for what the next
+    /// step may want while the current one still computes: the processor does not wait for a value
+    /// that nobody uses.
+    #[inline(always)]
+    fn look_ahead(&self, link: Link) {
+        let (pair, triangle) = if link.is_inner() { (link.first, 0) } else { (0, link.first) };
+        black_box(self.pairs.get(pair as usize).map(|pair| pair.links[0].first));
+        black_box(self.triangles.get(triangle as usize).map(|corners| corners[0].x));
+    }
+}
 
 impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
     /// The ray as the volumes want it, and the root if the ray enters it.

@@ -82,7 +82,7 @@ fn center_bounds(items: &[Item]) -> Aabb {
 }
 
 /// Into how many equal parts the spread of the centres is divided, along each axis.
-const BINS: usize = 16;
+const BINS: usize = 32;
 
 /// Items to a task.
 const PARALLEL: usize = 1 << 14;

@@ -19,7 +19,7 @@ impl Diagram {
 
     /// A path of the given weight, in the colour of a series; series 0 is the colour of the text.
     fn path(mut self, series: u32, width: f32, dashes: &str, path: &str) -> Self {
-        let class = if series == 0 { String::new() } else { format!(" class=\"series-{series}\"") };
+        let class = class(series);
         // Writing to a String cannot fail.
         let _ = writeln!(
             self.0,
@@ -54,7 +54,7 @@ impl Diagram {
 
     /// A dot.
     fn dot(mut self, series: u32, [x, y]: [f32; 2]) -> Self {
-        let class = if series == 0 { String::new() } else { format!(" class=\"series-{series}\"") };
+        let class = class(series);
         let _ = writeln!(
             self.0,
             "<g{class}><circle cx=\"{x}\" cy=\"{y}\" r=\"4\" fill=\"currentColor\"/></g>"
@@ -64,7 +64,7 @@ impl Diagram {
 
     /// Words that begin at, stand around or end at a point: `start`, `middle` or `end`.
     fn text(mut self, series: u32, anchor: &str, [x, y]: [f32; 2], words: &str) -> Self {
-        let class = if series == 0 { String::new() } else { format!(" class=\"series-{series}\"") };
+        let class = class(series);
         let _ = writeln!(
             self.0,
             "<g{class}><text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" \
@@ -78,31 +78,34 @@ impl Diagram {
     }
 }
 
+/// The attribute that gives an element the colour of a series; series 0 keeps that of the text.
+fn class(series: u32) -> String {
+    if series == 0 { String::new() } else { format!(" class=\"series-{series}\"") }
+}
+
 /// The camera from the side: eye, picture at distance 1, the ray through a point of it.
 pub(super) fn camera() -> Drawing {
     Diagram::new(
-        270,
+        300,
         "A pinhole camera from the side. The picture stands at distance 1 in front of the eye and \
          reaches up and down by the tangent of half the field of view.",
     )
-    .path(0, 1.0, "5 4", "M70 140L640 38M70 140L640 242")
-    .path(0, 1.0, "5 4", "M70 140H640")
-    .path(0, 3.0, "none", "M350 90V190")
-    .path(2, 2.0, "none", "M140 140A70 70 0 0 0 138.9 127.7")
-    .text(2, "start", [152.0, 135.0], "fov/2")
-    .arrow(0, [70.0, 140.0], [340.0, 140.0])
-    .text(0, "middle", [240.0, 158.0], "forward, length 1")
-    .path(0, 1.0, "none", "M362 90h8M366 90V140M362 140h8")
-    .text(0, "start", [376.0, 132.0], "tan(fov/2)")
-    .arrow(1, [70.0, 140.0], [560.0, 87.5])
-    .text(1, "start", [568.0, 92.0], "the ray")
-    .dot(1, [350.0, 110.0])
-    .text(1, "end", [342.0, 88.0], "film point (x, y)")
-    .dot(0, [70.0, 140.0])
-    .text(0, "middle", [58.0, 165.0], "eye")
-    .text(0, "middle", [350.0, 214.0], "picture")
-    .text(0, "middle", [350.0, 80.0], "y = 0")
-    .text(0, "start", [358.0, 194.0], "y = height")
+    .path(0, 1.0, "5 4", "M60 150L420 17M60 150L420 283M60 150H600")
+    .path(0, 3.0, "none", "M330 50V250")
+    .path(2, 2.0, "none", "M170 150A110 110 0 0 0 163.2 111.8")
+    .text(2, "start", [184.0, 143.0], "fov/2")
+    .arrow(0, [60.0, 150.0], [326.0, 150.0])
+    .text(0, "middle", [205.0, 170.0], "forward, length 1")
+    .path(0, 1.0, "none", "M341 50h8M345 50V150M341 150h8")
+    .text(0, "start", [356.0, 128.0], "tan(fov/2)")
+    .arrow(1, [60.0, 150.0], [600.0, 40.0])
+    .text(1, "end", [672.0, 30.0], "the ray through (x, y)")
+    .dot(1, [330.0, 95.0])
+    .dot(0, [60.0, 150.0])
+    .text(0, "middle", [48.0, 176.0], "eye")
+    .text(0, "start", [342.0, 238.0], "picture")
+    .text(0, "end", [322.0, 42.0], "y = 0")
+    .text(0, "end", [322.0, 270.0], "y = height")
     .finish()
 }
 
@@ -113,25 +116,25 @@ pub(super) fn sphere() -> Drawing {
         "A ray crosses a sphere. The vector l stands upright on the ray and reaches it from the \
          centre; half the chord is the root of r squared minus l squared.",
     )
-    .path(0, 2.0, "none", "M330 130a100 100 0 1 0 200 0a100 100 0 1 0 -200 0z")
-    .arrow(1, [60.0, 70.0], [640.0, 70.0])
-    .text(1, "start", [610.0, 60.0], "ray")
-    .dot(1, [60.0, 70.0])
-    .text(1, "middle", [60.0, 56.0], "<tspan font-weight=\"bold\">o</tspan>")
-    .dot(0, [430.0, 130.0])
-    .text(0, "start", [438.0, 148.0], "<tspan font-weight=\"bold\">c</tspan>")
-    .arrow(0, [430.0, 130.0], [68.0, 72.0])
-    .text(0, "middle", [210.0, 118.0], "<tspan font-weight=\"bold\">f</tspan>")
-    .arrow(2, [430.0, 130.0], [430.0, 72.0])
-    .text(2, "start", [437.0, 106.0], "<tspan font-weight=\"bold\">l</tspan>")
-    .path(0, 1.5, "5 4", "M430 130L350 70")
-    .text(0, "end", [384.0, 112.0], "r")
-    .dot(3, [350.0, 70.0])
-    .dot(3, [510.0, 70.0])
-    .text(3, "end", [346.0, 60.0], "t₀")
-    .text(3, "start", [514.0, 60.0], "t₁")
-    .path(3, 1.0, "none", "M350 44v8M350 48H430M430 44v8")
-    .text(3, "middle", [390.0, 40.0], "√(r² − l²)")
+    .path(0, 2.0, "none", "M330 160a100 100 0 1 0 200 0a100 100 0 1 0 -200 0z")
+    .arrow(1, [60.0, 100.0], [640.0, 100.0])
+    .text(1, "middle", [620.0, 90.0], "ray")
+    .dot(1, [60.0, 100.0])
+    .text(1, "middle", [60.0, 86.0], "<tspan font-weight=\"bold\">o</tspan>")
+    .dot(0, [430.0, 160.0])
+    .text(0, "start", [438.0, 178.0], "<tspan font-weight=\"bold\">c</tspan>")
+    .arrow(0, [430.0, 160.0], [68.0, 102.0])
+    .text(0, "middle", [210.0, 148.0], "<tspan font-weight=\"bold\">f</tspan>")
+    .arrow(2, [430.0, 160.0], [430.0, 102.0])
+    .text(2, "start", [437.0, 136.0], "<tspan font-weight=\"bold\">l</tspan>")
+    .path(0, 1.5, "5 4", "M430 160L350 100")
+    .text(0, "end", [384.0, 144.0], "r")
+    .dot(3, [350.0, 100.0])
+    .dot(3, [510.0, 100.0])
+    .text(3, "end", [342.0, 90.0], "t₀")
+    .text(3, "start", [518.0, 90.0], "t₁")
+    .path(3, 1.0, "none", "M350 40v8M350 44H430M430 40v8")
+    .text(3, "middle", [390.0, 30.0], "√(r² − l²)")
     .finish()
 }
 

@@ -106,7 +106,7 @@ pub(super) fn seams() -> Drawing {
     let settings = FilmSettings { size: SIZE, samples: 1, seed: 0, threads: None };
     let image = expose(&settings, |point, _| {
         let ray = camera.ray(point);
-        watertight.intersect(&ray).map_or([1.0; 3], |hit| {
+        watertight.intersect(&ray).map_or([0.05, 0.06, 0.08], |hit| {
             let [v0, v1, v2] = ball.corners(hit.primitive);
             let normal = (v1 - v0).cross(v2 - v0).normalize();
             [0.05 + 0.5 * normal.dot(ray.direction).abs(); 3]

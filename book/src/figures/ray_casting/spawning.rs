@@ -21,7 +21,7 @@ const PANEL: FilmSettings = FilmSettings { size: [240, 160], samples: 16, seed: 
 
 /// A ball on a floor, `scale` times as large as at 1.
 fn ball_on_floor(scale: f32) -> Scene {
-    let corner = |x: f32, z: f32| scale * vec3(x, 0.1 * x, z);
+    let corner = |x: f32, z: f32| scale * vec3(x, 0.0, z);
     let camera = Camera {
         eye: scale * vec3(0.0, 2.0, 6.0),
         forward: vec3(0.0, -0.28, -0.96),
