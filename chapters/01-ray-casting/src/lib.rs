@@ -23,6 +23,7 @@ mod ray;
 mod rgb;
 mod scene;
 mod scene_builder;
+mod stage;
 
 pub use attributes::Attributes;
 pub use camera::Camera;
@@ -36,4 +37,5 @@ pub use ray::Ray;
 pub use rgb::Rgb;
 pub use scene::Scene;
 pub use sphere::Sphere;
+pub use stage::{Extra, STAGE};
 pub use surface_point::SurfacePoint;

@@ -4,24 +4,8 @@
 
 use std::process::ExitCode;
 
-use ray_casting::{LinearSearch, RayCaster, Scene, Show, simplifications};
-use workbench::{Error, Finished, Probe, Run, Stage, Unwatched};
-
-const STAGE: Stage = Stage {
-    name: "ray-casting",
-    about: "Draws the nearest surface along each ray, and the shadows of the first light",
-    scene: "whitted",
-    samples: 16,
-    depth: None,
-    estimates: false,
-};
-
-#[derive(clap::Args)]
-struct Extra {
-    /// What to draw of the visible surface
-    #[arg(long, value_enum, default_value_t)]
-    show: Show,
-}
+use ray_casting::{Extra, LinearSearch, RayCaster, STAGE, Scene, simplifications};
+use workbench::{Error, Finished, Probe, Run, Unwatched};
 
 fn main() -> ExitCode {
     workbench::main(&STAGE, |run: &Run<Extra>| match run.recorder() {

@@ -47,6 +47,7 @@ impl<'a, G: Intersect, P: Probe> RayCaster<'a, G, P> {
 
     // ANCHOR: incident_radiance
     /// What arrives against `ray`: a stand-in for radiance until chapter 2 brings light.
+    #[must_use]
     pub fn incident_radiance(&self, ray: Ray) -> Rgb {
         let Some(hit) = self.geometry.intersect(&ray) else {
             self.probe.tell(|| "the ray leaves the scene".to_owned());

@@ -150,7 +150,8 @@ fn decide(ray: &ShearedRay, sheared: [[f32; 3]; 3], primitive: u32) -> Option<Hi
 /// ```
 ///
 /// M is read off the sheared vertices, whose largest component is at least half of it: γ(16) covers
-/// twice γ(6) with room for the double-precision roundings.
+/// twice γ(6) with room for the double-precision roundings. The slopes, too, are those of the rounded
+/// vertices: γ(16) is added to them.
 /// It is what keeps a ray that starts on a huge triangle from hitting it again at a grazing angle.
 fn lies_in_front(sheared: [[f64; 3]; 3], weights: [f64; 3], forward: f64) -> bool {
     let rounding = f64::from(gamma(16));
@@ -169,6 +170,6 @@ fn lies_in_front(sheared: [[f64; 3]; 3], weights: [f64; 3], forward: f64) -> boo
 
     let det = weights[0] + weights[1] + weights[2];
     let mean = |x: [f64; 3]| (weights[0] * x[0] + weights[1] * x[1] + weights[2] * x[2]) / det;
-    mean(depth) > rounding * (mean(depth.map(f64::abs)) + mean(size) * slope)
+    mean(depth) > rounding * (mean(depth.map(f64::abs)) + mean(size) * (slope + rounding))
 }
 // ANCHOR_END: lies_in_front

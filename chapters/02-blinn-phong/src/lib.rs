@@ -7,7 +7,9 @@ pub mod reflection;
 mod material;
 mod picture;
 mod radiance;
+mod stage;
 
 pub use material::Material;
 pub use picture::Picture;
 pub use radiance::{Shader, Terms};
+pub use stage::{Extra, STAGE};

@@ -4,25 +4,9 @@
 
 use std::process::ExitCode;
 
-use blinn_phong::{Picture, Shader, Terms};
+use blinn_phong::{Extra, Picture, STAGE, Shader};
 use ray_casting::{LinearSearch, Scene, simplifications};
-use workbench::{Error, Finished, Probe, Run, Stage, Unwatched};
-
-const STAGE: Stage = Stage {
-    name: "blinn-phong",
-    about: "Lights the nearest surface along each ray: ambient, diffuse and specular, with shadows",
-    scene: "whitted",
-    samples: 16,
-    depth: None,
-    estimates: false,
-};
-
-#[derive(clap::Args)]
-struct Extra {
-    /// Which terms of I = Ia + Id + Is to draw
-    #[arg(long, value_enum, default_value_t)]
-    terms: Terms,
-}
+use workbench::{Error, Finished, Probe, Run, Unwatched};
 
 fn main() -> ExitCode {
     workbench::main(&STAGE, |run: &Run<Extra>| match run.recorder() {

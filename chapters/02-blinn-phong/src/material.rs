@@ -20,6 +20,7 @@ pub struct Material {
 }
 
 impl Material {
+    // ANCHOR: diffuse_reflectance
     /// k_d where the texture coordinates are what `coordinates` returns, asked only if needed.
     #[inline]
     #[must_use]
@@ -33,6 +34,7 @@ impl Material {
             Some(picture) => self.kd * pictures[picture as usize].sample(coordinates()),
         }
     }
+    // ANCHOR_END: diffuse_reflectance
 
     /// Whether no light at all is reflected, wherever it comes from.
     #[must_use]

@@ -54,6 +54,7 @@ impl<'a, G: Intersect, P: Probe> Shader<'a, G, P> {
     ///
     /// Equation 3, with what the review leaves out (errata 9): the sum over the lights, and V, which is
     /// 1 if the light sees the point and 0 if not.
+    #[must_use]
     pub fn incident_radiance(&self, ray: Ray) -> Rgb {
         let Some(hit) = self.geometry.intersect(&ray) else { return self.scene.background };
         let surface = self.scene.surface(&ray, &hit);

@@ -15,6 +15,7 @@ pub struct Arriving {
 }
 
 impl Arriving {
+    // ANCHOR: arriving
     /// What arrives at `point` from `light`, if nothing stands between them.
     ///
     /// Zero where I / r² is not a finite number: at the light itself, where it grows beyond all
@@ -27,6 +28,7 @@ impl Arriving {
         let strength = if strength.is_finite() { strength } else { Rgb::ZERO };
         Self { direction: path.normalize_or_zero(), strength }
     }
+    // ANCHOR_END: arriving
 }
 
 // ANCHOR: diffuse

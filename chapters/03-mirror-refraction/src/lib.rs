@@ -12,6 +12,7 @@ mod limits;
 mod material;
 mod media;
 mod radiance;
+mod stage;
 
 pub use boundaries::{Boundaries, Crossing};
 pub use contacts::Contacts;
@@ -19,3 +20,4 @@ pub use limits::{Cutoff, Limits};
 pub use material::Surface;
 pub use media::Media;
 pub use radiance::{RayTracer, simplifications};
+pub use stage::STAGE;

@@ -5,18 +5,9 @@
 use std::process::ExitCode;
 
 use blinn_phong::Picture;
-use mirror_refraction::{Cutoff, Limits, RayTracer, simplifications};
+use mirror_refraction::{Cutoff, Limits, RayTracer, STAGE, simplifications};
 use ray_casting::{LinearSearch, Scene};
-use workbench::{Error, Finished, Probe, Run, Stage, Unwatched};
-
-const STAGE: Stage = Stage {
-    name: "mirror-refraction",
-    about: "Follows light into mirrors and through glass, by recursion",
-    scene: "whitted",
-    samples: 16,
-    depth: Some(8),
-    estimates: false,
-};
+use workbench::{Error, Finished, Probe, Run, Unwatched};
 
 fn main() -> ExitCode {
     workbench::main(&STAGE, |run: &Run<Cutoff>| match run.recorder() {

@@ -108,8 +108,9 @@ impl BoundingVolume for Aabb {
     fn clip_pair(pair: &AabbPair, query: &AabbQuery) -> [Interval; 2] {
         let mut enter = [0.0; 4];
         let mut leave = [f32::INFINITY; 4];
-        for i in 0..3 {
-            let t = zip(zip(pair[i], query.origins[i], sub), query.inverses[i], mul);
+        for ((&planes, &origins), &inverses) in pair.iter().zip(&query.origins).zip(&query.inverses)
+        {
+            let t = zip(zip(planes, origins, sub), inverses, mul);
             let other = [t[2], t[3], t[0], t[1]];
             enter = zip(zip(t, other, smaller), enter, larger);
             leave = zip(zip(t, other, larger), leave, smaller);

@@ -3,7 +3,7 @@
 use blinn_phong::Picture;
 use bv_tree::{Aabb, Builder, BvTree, KDop, Obb, TINY};
 use clap::ValueEnum;
-use mirror_refraction::{RayTracer, Settings, simplifications};
+use mirror_refraction::{Cutoff, Limits, RayTracer, simplifications};
 use ray_casting::{Intersect, LinearSearch, Scene};
 use workbench::{Error, Finished, Probe, Run};
 
@@ -16,9 +16,8 @@ pub(crate) struct Extra {
     /// Where the tree's builder divides
     #[arg(long, value_enum, default_value_t)]
     builder: Builder,
-    /// Weight below which a branch of the recursion is not followed; 0 follows all
-    #[arg(long, default_value_t = Settings::CUTOFF, value_parser = Settings::parse_cutoff)]
-    cutoff: f32,
+    #[command(flatten)]
+    cutoff: Cutoff,
 }
 
 /// The kinds of volumes.
@@ -78,8 +77,8 @@ fn trace<P: Probe, G: Intersect>(
     simplifications(scene).into_iter().for_each(|sentence| run.note(sentence));
     let pictures = Picture::load_all(scene)?;
     let geometry = run.build(build);
-    let settings = Settings::new(run.depth(), run.options.stage.cutoff);
-    let tracer = RayTracer::new(scene, &pictures, &geometry, probe, settings);
+    let limits = Limits::new(run.depth(), run.options.stage.cutoff.cutoff);
+    let tracer = RayTracer::new(scene, &pictures, &geometry, probe, limits);
     let film = run.render(scene.exposure, probe, |film_point, _| {
         tracer.incident_radiance(scene.camera.ray(film_point))
     })?;
