@@ -5,7 +5,7 @@
 //! drift away from the code.
 
 mod blinn_phong;
-mod bv_tree;
+pub(crate) mod bv_tree;
 mod mirror_refraction;
 mod ray_casting;
 mod workbench;

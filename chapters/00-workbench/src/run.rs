@@ -211,8 +211,7 @@ impl<E: Args> Run<E> {
             Some([x, y]) => {
                 let [r, g, b] = image.pixel(0, 0);
                 let [samples, _] = film.samples();
-                let sentence =
-                    format!("pixel ({x}, {y}): {r} {g} {b}, the mean of {samples} samples");
+                let sentence = format!("pixel ({x}, {y}): {r} {g} {b}, samples: {samples}");
                 say(self.stdout_is_taken(), &sentence);
             }
             None => image.save(&self.output())?,

@@ -69,15 +69,15 @@ impl PointLight {
     #[must_use]
     pub fn is_visible_from<G: Intersect>(&self, surface: &SurfacePoint, geometry: &G) -> bool {
         let mut ray = surface.spawn_to(self.position);
-        if !geometry.occluded(&ray) {
-            return true;
-        }
         if self.lamp.is_empty() {
-            return false;
+            return !geometry.occluded(&ray);
         }
         while let Some(hit) = geometry.intersect(&ray) {
             if !self.lamp.contains(&hit.primitive) {
                 return false;
+            }
+            if hit.t >= ray.extent.max {
+                break;
             }
             ray.extent.min = hit.t;
         }

@@ -49,6 +49,7 @@ impl<'a, G: Intersect, P: Probe> RayCaster<'a, G, P> {
     /// What arrives against `ray`: a stand-in for radiance until chapter 2 brings light.
     #[must_use]
     pub fn incident_radiance(&self, ray: Ray) -> Rgb {
+        self.probe.tell(|| format!("camera ray from {} along {}", ray.origin, ray.direction));
         let Some(hit) = self.geometry.intersect(&ray) else {
             self.probe.tell(|| "the ray leaves the scene".to_owned());
             return self.scene.background;
@@ -73,7 +74,9 @@ impl<'a, G: Intersect, P: Probe> RayCaster<'a, G, P> {
     fn is_in_shadow(&self, surface: &SurfacePoint) -> bool {
         let Some(light) = self.scene.lights.first() else { return false };
         self.probe.count(Counter::ShadowRays, 1);
-        !light.is_visible_from(surface, self.geometry)
+        let visible = light.is_visible_from(surface, self.geometry);
+        self.probe.tell(|| format!("shadow ray to {}: visible: {visible}", light.position));
+        !visible
     }
     // ANCHOR_END: incident_radiance
 }

@@ -61,7 +61,7 @@ impl Sphere {
 // ANCHOR: intersect_naive
 /// The school formula in single precision, kept to show what it gets wrong.
 ///
-/// At distance 10⁴ from a unit sphere its t is hundreds of units in the last place off.
+/// At distance 10⁴ from a unit sphere its t can be a thousand units in the last place off.
 #[must_use]
 pub fn intersect_naive(sphere: &Sphere, ray: &Ray) -> Option<f32> {
     let f = ray.origin - sphere.center;

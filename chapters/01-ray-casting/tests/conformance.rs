@@ -41,7 +41,7 @@ impl Faulty {
                 let prepared = ray_casting::PreparedRay::new(ray);
                 let all = 0..self.geometry.primitives();
                 let hits = all.filter_map(|i| self.geometry.intersect_primitive(&prepared, i));
-                hits.filter(|hit| hit.t == nearest.t).last()
+                hits.filter(|hit| hit.t == nearest.t).next_back()
             }
             Fault::TakesTheFirstItFinds => {
                 let prepared = ray_casting::PreparedRay::new(ray);

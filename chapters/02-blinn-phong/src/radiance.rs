@@ -56,7 +56,11 @@ impl<'a, G: Intersect, P: Probe> Shader<'a, G, P> {
     /// 1 if the light sees the point and 0 if not.
     #[must_use]
     pub fn incident_radiance(&self, ray: Ray) -> Rgb {
-        let Some(hit) = self.geometry.intersect(&ray) else { return self.scene.background };
+        self.probe.tell(|| format!("camera ray from {} along {}", ray.origin, ray.direction));
+        let Some(hit) = self.geometry.intersect(&ray) else {
+            self.probe.tell(|| "the ray leaves the scene".to_owned());
+            return self.scene.background;
+        };
         let surface = self.scene.surface(&ray, &hit);
         self.probe.tell(|| format!("hits {hit:?} at {}", surface.position));
 

@@ -58,7 +58,7 @@ impl Contacts {
 }
 
 /// Few enough faces to compare each with each.
-const FEW: usize = 16;
+const FEW: usize = 64;
 
 /// So many faces in one spot that comparing each with each would take too long. Contacts there are
 /// not found; what is inside of what is anyone's guess then.
@@ -91,7 +91,7 @@ impl Finder<'_> {
             };
             let (in_low, in_high) = (part(&low), part(&high));
             // Halving must be worth it: else the faces lie on one spot, or are as large as the box.
-            if in_low.len() + in_high.len() <= faces.len() + faces.len() / 2 {
+            if in_low.len() + in_high.len() <= faces.len() + faces.len() / 8 {
                 drop(faces);
                 self.search(in_low, low, halvings - 1);
                 self.search(in_high, high, halvings - 1);

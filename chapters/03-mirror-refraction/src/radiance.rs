@@ -53,6 +53,7 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
     /// The light that arrives against `ray`, which starts at the eye.
     #[must_use]
     pub fn incident_radiance(&self, ray: Ray) -> Rgb {
+        self.probe.tell(|| format!("camera ray from {} along {}", ray.origin, ray.direction));
         self.radiance(ray, Path { events: 0, throughput: Rgb::ONE, media: self.at_eye })
     }
 

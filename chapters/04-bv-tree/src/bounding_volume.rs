@@ -5,6 +5,7 @@ use ray_casting::{Geometry, Interval, Ray};
 use crate::aabb::Aabb;
 use crate::item::Item;
 
+// ANCHOR: trait
 /// A simple shape around some primitives: a ray that misses it misses them all.
 ///
 /// Every volume of this chapter is an intersection of *slabs*, the spaces between two parallel
@@ -40,6 +41,7 @@ pub trait BoundingVolume: Copy + Send + Sync + 'static {
     /// Area of the volume's surface, in squared scene units: how likely a random line meets it.
     fn surface_area(&self) -> f32;
 }
+// ANCHOR_END: trait
 
 /// By how much a volume must be widened for each unit of `reach`, in every direction.
 ///

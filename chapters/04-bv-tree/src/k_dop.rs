@@ -61,6 +61,7 @@ impl<const N: usize> BoundingVolume for KDop<N> {
         Self { slabs }
     }
 
+    // ANCHOR: clip
     /// n·**o** and n·**d** are sums that can cancel: double precision keeps their relative error at u.
     /// A padding of E along each axis is one of E (|n_x| + |n_y| + |n_z|) along n.
     fn query(ray: &Ray, reach: f32) -> Self::Query {
@@ -77,6 +78,7 @@ impl<const N: usize> BoundingVolume for KDop<N> {
         let slabs = self.slabs.iter().zip(query);
         slabs.fold(Interval::FORWARD, |inside, (&slab, query)| overlap(query.clip(slab), inside))
     }
+    // ANCHOR_END: clip
 
     fn pair(left: &Self, right: &Self) -> [Self; 2] {
         [*left, *right]

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::bounding_volume::BoundingVolume;
 
+// ANCHOR: link
 /// What lies inside a volume.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
@@ -15,6 +16,7 @@ pub(crate) struct Link {
     /// A leaf holds primitives of one kind, so that the loop over them has no branch on the kind.
     pub(crate) count: i32,
 }
+// ANCHOR_END: link
 
 impl Link {
     /// Links to a pair of children.
@@ -45,6 +47,7 @@ pub(crate) struct Node<V> {
     pub(crate) link: Link,
 }
 
+// ANCHOR: pair
 /// Both children of a node as the traversal wants them: they are always tested together, so their
 /// volumes are interleaved, and no pair of boxes lies across two cache lines.
 #[derive(Clone, Copy, Debug)]
@@ -55,6 +58,7 @@ pub(crate) struct Pair<V: BoundingVolume> {
     /// What they hold.
     pub(crate) links: [Link; 2],
 }
+// ANCHOR_END: pair
 
 #[cfg(test)]
 mod tests {

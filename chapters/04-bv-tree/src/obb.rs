@@ -41,6 +41,7 @@ impl BoundingVolume for Obb {
     type Pair = [Self; 2];
     type Query = ObbQuery;
 
+    // ANCHOR: enclosing
     /// Fits several frames and keeps the box with the least surface.
     fn enclosing(bounds: &Aabb, items: &[Item], geometry: &Geometry) -> Self {
         let center = bounds.min.midpoint(bounds.max);
@@ -53,6 +54,7 @@ impl BoundingVolume for Obb {
         }
         best
     }
+    // ANCHOR_END: enclosing
 
     /// All of this padding in units of M = `reach`, which bounds every component of v − o and of
     /// c − o:
@@ -66,6 +68,7 @@ impl BoundingVolume for Obb {
         ObbQuery { origin: ray.origin, direction: ray.direction, padding: gamma(32) * reach }
     }
 
+    // ANCHOR: clip
     #[inline]
     fn clip(&self, query: &ObbQuery) -> Interval {
         let origin = query.origin - self.center;
@@ -76,6 +79,7 @@ impl BoundingVolume for Obb {
         }
         inside
     }
+    // ANCHOR_END: clip
 
     fn pair(left: &Self, right: &Self) -> [Self; 2] {
         [*left, *right]

@@ -33,6 +33,7 @@ pub struct SlabQuery {
 }
 
 impl SlabQuery {
+    // ANCHOR: new
     /// Prepares a ray with n·**o** = `origin` and n·**d** = `direction`.
     #[inline]
     #[must_use]
@@ -49,7 +50,9 @@ impl SlabQuery {
             inverse_for_max: if forward { leave } else { enter },
         }
     }
+    // ANCHOR_END: new
 
+    // ANCHOR: clip
     /// The t for which the ray is inside the slab [`slab.min`, `slab.max`]. Ends may be NaN.
     #[inline]
     #[must_use]
@@ -58,8 +61,10 @@ impl SlabQuery {
         let b = (slab.max - self.origin_for_max) * self.inverse_for_max;
         Interval::new(smaller(a, b), larger(a, b))
     }
+    // ANCHOR_END: clip
 }
 
+// ANCHOR: overlap
 /// The part of `a` that lies in `b`; an end of `a` that is NaN constrains nothing.
 #[inline]
 #[must_use]
@@ -80,3 +85,4 @@ pub(crate) fn larger(a: f32, b: f32) -> f32 {
 pub(crate) fn smaller(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
+// ANCHOR_END: overlap

@@ -104,6 +104,7 @@ type Bins = [[Bin; BINS]; 3];
 
 const NO_BINS: Bins = [[Bin { bounds: Aabb::EMPTY, count: 0 }; BINS]; 3];
 
+// ANCHOR: split_by_area
 /// The surface area heuristic [GoldsmithSalmon87], over bins [Wald07].
 ///
 /// A line that meets a convex body of area A meets a convex part of area a with probability a / A.
@@ -133,6 +134,7 @@ fn split_by_area(whole: &Aabb, items: &mut [Item]) -> Option<Split> {
     let left_count = partition(items, |item| binning.bin(item)[plane.axis] < plane.bin);
     Some(Split { left_count, left: plane.left, right: plane.right })
 }
+// ANCHOR_END: split_by_area
 
 /// Maps centres to bins.
 struct Binning {

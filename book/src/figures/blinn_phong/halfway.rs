@@ -10,7 +10,8 @@ use super::still_life::{PANEL, clay, draw, draw_otherwise, still_life, tree};
 use crate::figures::Drawing;
 use crate::picture::Picture;
 
-const EYE: Vec3 = vec3(0.0, 0.0, 8.0);
+/// Far away, so that all balls are seen alike.
+const EYE: Vec3 = vec3(0.0, 0.0, 60.0);
 
 /// Balls in a row, with the exponents `ns` from left to right; no ball shades another.
 fn balls(ns: &[f32]) -> Scene {
@@ -19,7 +20,7 @@ fn balls(ns: &[f32]) -> Scene {
         Sphere { center: vec3(x, 0.0, 0.0), radius: 1.0 }
     };
     let spheres = (0..ns.len()).map(ball).collect();
-    let mut scene = still_life(EYE, Vec3::ZERO, 17.0, Geometry { spheres, ..Geometry::default() });
+    let mut scene = still_life(EYE, Vec3::ZERO, 2.27, Geometry { spheres, ..Geometry::default() });
     scene.materials = ns.iter().map(|&ns| MaterialRecord { ns, ..clay() }).collect();
     scene.attributes.materials = (0..ns.len() as u32).collect();
     scene

@@ -65,24 +65,30 @@ fn stated_normal(scene: &Scene, surface: &SurfacePoint) -> Vec3 {
     scene.attributes.normal(corners, surface.hit.barycentric).normalize()
 }
 
-/// A coarse ball: flat; smooth, as the stage draws it; with the side decided by the smooth normal.
+const LARGE: FilmSettings = FilmSettings { size: [240, 240], ..PANEL };
+
+/// A coarse ball, flat and smooth.
 pub(super) fn normals() -> Drawing {
     let smooth = coarse_ball();
     let mut flat = coarse_ball();
     flat.attributes.normals.clear();
-    let geometry = tree(&smooth);
-    let settings = FilmSettings { size: [240, 240], ..PANEL };
-    let misled = |surface: &SurfacePoint, material: &Material, light: &PointLight| {
-        let stated = stated_normal(&smooth, surface);
+    let panels = [draw(&flat, &LARGE), draw(&smooth, &LARGE)];
+    Picture::side_by_side(&panels.each_ref().map(Picture::from), 16).into()
+}
+
+/// The lit rim of the smooth ball, enlarged: with the side that is seen decided by the smooth normal,
+/// and as the stage draws it.
+pub(super) fn rim() -> Drawing {
+    let scene = coarse_ball();
+    let geometry = tree(&scene);
+    let misled = draw_otherwise(&scene, &geometry, &LARGE, |surface, material, light| {
+        let stated = stated_normal(&scene, surface);
         let facing = if stated.dot(surface.wo) > 0.0 { stated } else { -stated };
         reflected(surface, material, light, facing, &geometry)
-    };
-    let panels = [
-        draw(&flat, &settings),
-        draw(&smooth, &settings),
-        draw_otherwise(&smooth, &geometry, &settings, misled),
-    ];
-    Picture::side_by_side(&panels.each_ref().map(Picture::from), 8).into()
+    });
+    let panels = [misled, draw(&scene, &LARGE)];
+    let enlarged = |image| Picture::from(image).crop([14, 80], [60, 60]).enlarged(5);
+    Picture::side_by_side(&panels.each_ref().map(enlarged), 16).into()
 }
 
 /// A flat card whose normals pretend that it bulges, under a light behind it: with the question

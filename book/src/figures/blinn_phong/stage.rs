@@ -9,6 +9,7 @@ use super::still_life::{PANEL, draw_otherwise, draw_terms, scene, tree};
 use crate::figures::Drawing;
 use crate::numbers::Numbers;
 use crate::picture::Picture;
+use crate::table::count;
 
 fn draw_teapot(terms: Terms, settings: &FilmSettings) -> Image {
     let scene = scene("teapot");
@@ -57,8 +58,9 @@ pub(super) fn numbers() -> Drawing {
     let differing = by_tree.pixels.iter().zip(&by_list.pixels).filter(|(a, b)| a != b).count();
 
     let mut numbers = Numbers::new();
+    numbers.add("primitives", count(u64::from(dark.geometry.primitives())));
     numbers.add("largest-difference", format!("{:.1}", 1e7 * worst));
-    numbers.add("pixels-compared", by_list.pixels.len());
+    numbers.add("pixels-compared", count(by_list.pixels.len() as u64));
     numbers.add("pixels-that-differ", differing);
     numbers.into()
 }

@@ -4,10 +4,11 @@ use std::f64::consts::PI;
 
 use blinn_phong::reflection::{Arriving, diffuse, specular};
 use glam::{Vec3, vec3};
-use ray_casting::{PointLight, Rgb};
+use ray_casting::{PointLight, Rgb, math};
 
 use crate::axis::Axis;
 use crate::figures::Drawing;
+use crate::numbers::Numbers;
 use crate::plot::{Plot, Series, Style};
 use crate::table::Table;
 
@@ -119,6 +120,18 @@ pub(super) fn by_hand() -> Drawing {
         ]);
     }
     table.into()
+}
+
+/// (1 − 2⁻²⁴) to the power 2²⁴, which is e⁻¹ to seven digits: by squaring in single precision, and by
+/// the stage's way.
+pub(super) fn power() -> Drawing {
+    let (x, squarings) = (1.0_f32.next_down(), 24);
+    let single = (0..squarings).fold(x, |square, _| square * square);
+    let mut numbers = Numbers::new();
+    numbers.add("stage", short(f64::from(math::power(x, 16_777_216.0))));
+    numbers.add("single", short(f64::from(single)));
+    numbers.add("exact", short(libm::exp(-1.0)));
+    numbers.into()
 }
 
 /// Seven digits after the point, without the zeros at the end.
