@@ -40,8 +40,9 @@ impl Faulty {
             Fault::TakesTheHighestOfEqualNames => {
                 let prepared = ray_casting::PreparedRay::new(ray);
                 let all = 0..self.geometry.primitives();
-                let hits = all.filter_map(|i| self.geometry.intersect_primitive(&prepared, i));
-                hits.filter(|hit| hit.t == nearest.t).next_back()
+                let mut hits =
+                    all.filter_map(|i| self.geometry.intersect_primitive(&prepared, i));
+                hits.rfind(|hit| hit.t == nearest.t)
             }
             Fault::TakesTheFirstItFinds => {
                 let prepared = ray_casting::PreparedRay::new(ray);

@@ -8,34 +8,42 @@ use crate::item::Item;
 /// How many sweeps the Jacobi iteration makes: its error squares with each, so a handful suffice.
 const SWEEPS: usize = 8;
 
-/// Right-handed frames worth trying: along the largest triangle, and along the main directions in
-/// which the corners spread.
+/// Right-handed frames worth trying: along edges of the largest triangle, and along the main
+/// directions in which the corners spread.
 pub(crate) fn candidates(items: &[Item], geometry: &Geometry) -> Vec<[Vec3; 3]> {
-    [largest_triangle(items, geometry), Some(principal_axes(items, geometry))]
+    let along_edges = largest_triangle(items, geometry).map_or_else(Vec::new, |corners| {
+        let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalize();
+        extreme_edges(corners).map(|edge| frame(edge.normalize(), normal)).to_vec()
+    });
+    along_edges
         .into_iter()
-        .flatten()
+        .chain([principal_axes(items, geometry)])
         .filter(|axes| axes.iter().all(|a| a.is_finite()))
         .collect()
 }
 
-/// The longest edge of the largest triangle, and its normal.
-fn largest_triangle(items: &[Item], geometry: &Geometry) -> Option<[Vec3; 3]> {
+/// The corners of the triangle with the largest area, if any has one.
+fn largest_triangle(items: &[Item], geometry: &Geometry) -> Option<[DVec3; 3]> {
     let mut best = (0.0, None);
     for item in items {
         if geometry.sphere(item.primitive).is_some() {
             continue;
         }
         let [a, b, c] = geometry.corners(item.primitive).map(|v| v.as_dvec3());
-        let normal = (b - a).cross(c - a);
-        if normal.length_squared() > best.0 {
-            let edges = [b - a, c - b, a - c];
-            let longest = if edges[0].length() >= edges[1].length() { edges[0] } else { edges[1] };
-            let longest = if longest.length() >= edges[2].length() { longest } else { edges[2] };
-            best = (normal.length_squared(), Some((longest, normal)));
+        let area = (b - a).cross(c - a).length_squared();
+        if area > best.0 {
+            best = (area, Some([a, b, c]));
         }
     }
-    let (edge, normal) = best.1?;
-    Some(frame(edge.normalize(), normal.normalize()))
+    best.1
+}
+
+/// The longest edge, which suits a sliver, and the shortest: in half of a rectangle, the longest is the
+/// diagonal, the shortest a side.
+fn extreme_edges([a, b, c]: [DVec3; 3]) -> [DVec3; 2] {
+    let mut edges = [b - a, c - b, a - c];
+    edges.sort_by(|e, f| e.length_squared().total_cmp(&f.length_squared()));
+    [edges[2], edges[0]]
 }
 
 /// The eigenvectors of the corners' covariance matrix [Gottschalk96].

@@ -61,7 +61,7 @@ pub(super) fn skipped() -> Drawing {
         "lights",
         "camera rays",
         "light asked for",
-        "behind the surface",
+        "faces away",
         "nothing to reflect",
         "shadow rays cast",
         "skipped",

@@ -55,7 +55,9 @@ pub(super) fn numbers() -> Drawing {
         draw_terms(&dark, &tree, Terms::All, &small),
         draw_terms(&dark, &linear, Terms::All, &small),
     ];
-    let differing = by_tree.pixels.iter().zip(&by_list.pixels).filter(|(a, b)| a != b).count();
+    let bits = |pixel: &[f32; 3]| pixel.map(f32::to_bits);
+    let pairs = by_tree.pixels.iter().zip(&by_list.pixels);
+    let differing = pairs.filter(|(a, b)| bits(a) != bits(b)).count();
 
     let mut numbers = Numbers::new();
     numbers.add("primitives", count(u64::from(dark.geometry.primitives())));

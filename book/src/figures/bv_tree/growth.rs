@@ -2,10 +2,9 @@
 
 use std::sync::OnceLock;
 
-use bv_tree::Builder;
 use ray_casting::Scene;
 
-use super::workload::{AABB, Cost, Workload, blob, terrain};
+use super::workload::{Cost, Workload, blob, terrain};
 use crate::axis::Axis;
 use crate::figures::Drawing;
 use crate::plot::{Plot, Series, Style};
@@ -27,16 +26,14 @@ struct Growth {
 
 fn growths() -> &'static [Growth; 2] {
     static GROWTHS: OnceLock<[Growth; 2]> = OnceLock::new();
-    GROWTHS.get_or_init(|| {
-        [growth("blob", blob, &BLOBS), growth("terrain", terrain, &TERRAINS)]
-    })
+    GROWTHS.get_or_init(|| [growth("blob", blob, &BLOBS), growth("terrain", terrain, &TERRAINS)])
 }
 
 fn growth(name: &'static str, make: fn(u32) -> Scene, parameters: &[u32]) -> Growth {
     let size = |&parameter: &u32| {
-        let workload = Workload::record(name, make(parameter), 90);
-        let cost = workload.cost(&AABB, Builder::Sah);
-        Size { triangles: workload.geometry.primitives(), cost }
+        let scene = make(parameter);
+        let cost = Workload::box_cost(&scene, 90);
+        Size { triangles: scene.geometry.primitives(), cost }
     };
     Growth { name, sizes: parameters.iter().map(size).collect() }
 }

@@ -67,9 +67,8 @@ fn groups(geometry: &Geometry, size: usize) -> Vec<Group> {
 fn entered<V: BoundingVolume>(groups: &[Group], geometry: &Geometry) -> usize {
     let of = |group: &Group| {
         let volume = V::enclosing(&group.bounds, &group.items, geometry);
-        let enters = |ray: &&Ray| {
-            !volume.clip(&V::query(ray, group.bounds.reach(ray.origin))).is_empty()
-        };
+        let enters =
+            |ray: &&Ray| !volume.clip(&V::query(ray, group.bounds.reach(ray.origin))).is_empty();
         group.lines.iter().filter(enters).count()
     };
     groups.iter().map(of).sum()

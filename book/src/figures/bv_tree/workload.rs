@@ -36,13 +36,7 @@ impl Workload {
     /// pixel. Any search gives the same hits, hence the same rays.
     pub(crate) fn record(name: &'static str, scene: Scene, width: u32) -> Self {
         let tree = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
-        let diary = Diary { search: tree, questions: Mutex::default() };
-        let [w, h] = scene.exposure.size;
-        // One thread keeps the rays in the order in which a render asks.
-        let size = [width, (width * h).div_ceil(w)];
-        let settings = FilmSettings { size, samples: 1, seed: 0, threads: Some(1) };
-        trace(&scene, &diary, &settings);
-        let questions = diary.questions.into_inner().expect("no thread has panicked");
+        let questions = asked(&scene, &tree, width);
         Self { name, geometry: scene.geometry, questions }
     }
 
@@ -58,29 +52,27 @@ impl Workload {
         self.questions.iter().map(answer).sum()
     }
 
+    /// What a ray of [`Workload::record`] costs with boxes; for meshes that are built over only once.
+    pub(crate) fn box_cost(scene: &Scene, width: u32) -> Cost {
+        let recorder = Recorder::new();
+        let tree = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &recorder);
+        let questions = asked(scene, &tree, width);
+        Cost { shape: tree.shape(), ..Cost::each(&recorder, questions.len()) }
+    }
+
     /// What a ray costs with a tree.
     pub(crate) fn cost(&self, volume: &Volume, builder: Builder) -> Cost {
         let recorder = Recorder::new();
         let (tree, shape) = (volume.build)(&self.geometry, builder, &recorder);
         let answers = self.ask(&*tree);
-        Cost { shape, answers, ..self.per_question(&recorder) }
+        Cost { shape, answers, ..Cost::each(&recorder, self.questions.len()) }
     }
 
     /// What a ray costs if it looks at every primitive.
     pub(crate) fn linear_cost(&self) -> Cost {
         let recorder = Recorder::new();
         let answers = self.ask(&LinearSearch::new(&self.geometry, &recorder));
-        Cost { answers, ..self.per_question(&recorder) }
-    }
-
-    fn per_question(&self, recorder: &Recorder) -> Cost {
-        let each = |counter| recorder.get(counter) as f64 / self.questions.len() as f64;
-        Cost {
-            volume: each(Counter::VolumeTests),
-            primitive: each(Counter::PrimitiveTests),
-            shape: Shape::default(),
-            answers: 0,
-        }
+        Cost { answers, ..Cost::each(&recorder, self.questions.len()) }
     }
 }
 
@@ -96,19 +88,30 @@ pub(super) fn trace(
     expose(settings, |point, _| tracer.incident_radiance(scene.camera.ray(point)))
 }
 
+/// All that a render of one sample a pixel asks of `search`.
+fn asked(scene: &Scene, search: &impl Intersect, width: u32) -> Vec<Question> {
+    let diary = Diary { search, questions: Mutex::default() };
+    let [w, h] = scene.exposure.size;
+    // One thread keeps the rays in the order in which a render asks.
+    let size = [width, (width * h).div_ceil(w)];
+    let settings = FilmSettings { size, samples: 1, seed: 0, threads: Some(1) };
+    trace(scene, &diary, &settings);
+    diary.questions.into_inner().expect("no thread has panicked")
+}
+
 /// Writes down what is asked of a search.
-struct Diary<G> {
-    search: G,
+struct Diary<'a, G> {
+    search: &'a G,
     questions: Mutex<Vec<Question>>,
 }
 
-impl<G> Diary<G> {
+impl<G> Diary<'_, G> {
     fn write(&self, ray: Ray, any: bool) {
         self.questions.lock().expect("no thread has panicked").push(Question { ray, any });
     }
 }
 
-impl<G: Intersect> Intersect for Diary<G> {
+impl<G: Intersect> Intersect for Diary<'_, G> {
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
         self.write(*ray, false);
         self.search.intersect(ray)
@@ -127,6 +130,18 @@ pub(crate) struct Cost {
     pub(crate) shape: Shape,
     /// Equal for all searches that find the same hits.
     pub(crate) answers: u64,
+}
+
+impl Cost {
+    fn each(recorder: &Recorder, questions: usize) -> Self {
+        let each = |counter| recorder.get(counter) as f64 / questions as f64;
+        Self {
+            volume: each(Counter::VolumeTests),
+            primitive: each(Counter::PrimitiveTests),
+            shape: Shape::default(),
+            answers: 0,
+        }
+    }
 }
 
 /// A kind of volume and how to build a tree of it.

@@ -1,0 +1,236 @@
+//! Drawings of the derivations. Nothing in them is measured.
+
+use std::fmt::Write;
+
+use glam::{Vec2, vec2};
+
+use crate::figures::Drawing;
+
+/// Lines and words in the colours of the page.
+struct Diagram(String);
+
+impl Diagram {
+    /// An empty drawing, 680 wide, with words for readers who cannot see it.
+    fn new(height: u32, description: &str) -> Self {
+        Self(format!(
+            "<svg class=\"plot\" viewBox=\"0 0 680 {height}\" role=\"img\" \
+             aria-label=\"{description}\" font-size=\"15\" fill=\"none\" stroke=\"none\" \
+             color=\"currentColor\">\n"
+        ))
+    }
+
+    /// A path in the colour of a series; series 0 is the colour of the text.
+    fn path(&mut self, series: u32, width: f32, dashes: &str, path: &str) {
+        self.draw(
+            series,
+            &format!(
+                "<path d=\"{path}\" stroke=\"currentColor\" stroke-width=\"{width}\" \
+                 stroke-dasharray=\"{dashes}\" stroke-linejoin=\"round\"/>"
+            ),
+        );
+    }
+
+    /// A closed polygon, its inside faintly coloured.
+    fn polygon(&mut self, series: u32, opacity: f32, points: &[Vec2]) {
+        let corners: Vec<_> = points.iter().map(|p| format!("{:.1},{:.1}", p.x, p.y)).collect();
+        self.draw(
+            series,
+            &format!(
+                "<polygon points=\"{}\" stroke=\"currentColor\" stroke-width=\"2\" \
+                 fill=\"currentColor\" fill-opacity=\"{opacity}\" stroke-linejoin=\"round\"/>",
+                corners.join(" ")
+            ),
+        );
+    }
+
+    fn boxed(&mut self, series: u32, opacity: f32, [x, y]: [f32; 2], [w, h]: [f32; 2]) {
+        let corners = [vec2(x, y), vec2(x + w, y), vec2(x + w, y + h), vec2(x, y + h)];
+        self.polygon(series, opacity, &corners);
+    }
+
+    /// A line with a head at its end.
+    fn arrow(&mut self, series: u32, from: Vec2, to: Vec2) {
+        let back = 9.0 * (from - to).normalize();
+        let heads = [1.0, -1.0].map(|side| to + back + 0.45 * side * back.perp());
+        let [a, b] = heads.map(|p| format!("{:.1} {:.1}", p.x, p.y));
+        let line = format!("M{} {}L{} {}M{a}L{} {}L{b}", from.x, from.y, to.x, to.y, to.x, to.y);
+        self.path(series, 2.0, "none", &line);
+    }
+
+    fn dot(&mut self, series: u32, p: Vec2) {
+        let dot =
+            format!("<circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"4\" fill=\"currentColor\"/>", p.x, p.y);
+        self.draw(series, &dot);
+    }
+
+    /// Words that begin at, stand around or end at a point: `start`, `middle` or `end`.
+    fn text(&mut self, series: u32, anchor: &str, [x, y]: [f32; 2], words: &str) {
+        self.draw(
+            series,
+            &format!(
+                "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" fill=\"currentColor\">{words}</text>"
+            ),
+        );
+    }
+
+    fn draw(&mut self, series: u32, element: &str) {
+        let class = if series == 0 { String::new() } else { format!(" class=\"series-{series}\"") };
+        // Writing to a String cannot fail.
+        let _ = writeln!(self.0, "<g{class}>{element}</g>");
+    }
+
+    fn finish(self) -> Drawing {
+        Drawing::Text(self.0 + "</svg>\n")
+    }
+}
+
+/// The planes of the box in `slabs`: x from 180 to 330, y from 80 to 190.
+const X: [f32; 2] = [180.0, 330.0];
+const Y: [f32; 2] = [190.0, 80.0];
+
+/// Two rays, a box, and when each ray is inside of which slab.
+pub(super) fn slabs() -> Drawing {
+    let mut d = Diagram::new(
+        452,
+        "Two rays and a box that is the crossing of an upright and a level slab. Below them, the \
+         stretches in which each ray is inside each slab: those of the first ray overlap, those of \
+         the second do not.",
+    );
+    d.path(1, 1.5, "6 4", "M180 20V310M330 20V310");
+    d.path(2, 1.5, "6 4", "M20 80H660M20 190H660");
+    d.text(1, "middle", [255.0, 34.0], "slab in x");
+    d.text(2, "end", [660.0, 70.0], "slab in y");
+    d.boxed(0, 0.12, [180.0, 80.0], [150.0, 110.0]);
+    let rays = [
+        (3, vec2(40.0, 230.0), vec2(480.0, 40.0), 345.0, "first ray"),
+        (4, vec2(120.0, 300.0), vec2(640.0, 66.0), 405.0, "second ray"),
+    ];
+    for (series, from, to, bars, name) in rays {
+        d.arrow(series, from, to);
+        d.dot(series, from);
+        let slope = (to.y - from.y) / (to.x - from.x);
+        let at_x = X.map(|x| vec2(x, from.y + slope * (x - from.x)));
+        let at_y = Y.map(|y| vec2(from.x + (y - from.y) / slope, y));
+        at_x.iter().for_each(|&p| d.dot(1, p));
+        at_y.iter().for_each(|&p| d.dot(2, p));
+        d.text(series, "start", [20.0, bars + 13.0], name);
+        d.path(1, 7.0, "none", &format!("M{:.1} {bars}H{:.1}", at_x[0].x, at_x[1].x));
+        let y = bars + 16.0;
+        d.path(2, 7.0, "none", &format!("M{:.1} {y}H{:.1}", at_y[0].x, at_y[1].x));
+        let (enter, leave) = (at_x[0].x.max(at_y[0].x), at_x[1].x.min(at_y[1].x));
+        if enter <= leave {
+            let top = bars - 9.0;
+            d.boxed(0, 0.12, [enter, top], [leave - enter, 34.0]);
+        }
+    }
+    d.text(3, "start", [400.0, 358.0], "inside both: hit");
+    d.text(4, "end", [350.0, 428.0], "never inside both: miss");
+    d.finish()
+}
+
+/// The part of a convex polygon where n · p ≤ bound.
+fn cut(polygon: &[Vec2], n: Vec2, bound: f32) -> Vec<Vec2> {
+    let mut kept = Vec::new();
+    for (i, &p) in polygon.iter().enumerate() {
+        let q = polygon[(i + 1) % polygon.len()];
+        let (a, b) = (n.dot(p) - bound, n.dot(q) - bound);
+        if a <= 0.0 {
+            kept.push(p);
+        }
+        if (a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0) {
+            kept.push(p.lerp(q, a / (a - b)));
+        }
+    }
+    kept
+}
+
+/// The intersection of the slabs along `directions` that enclose `points`.
+fn enclosure(points: &[Vec2], directions: &[Vec2]) -> Vec<Vec2> {
+    let far = 1000.0;
+    let mut polygon = vec![vec2(-far, -far), vec2(far, -far), vec2(far, far), vec2(-far, far)];
+    for &n in directions {
+        for n in [n, -n] {
+            let bound = points.iter().map(|p| n.dot(*p)).fold(f32::NEG_INFINITY, f32::max);
+            polygon = cut(&polygon, n, bound);
+        }
+    }
+    polygon
+}
+
+/// The same shape in a box along the axes, a box of its own and a polytope with eight sides.
+pub(super) fn volumes() -> Drawing {
+    let mut d = Diagram::new(
+        236,
+        "A slanted quadrilateral three times: in a box along the axes with much empty space, in a \
+         turned box that fits closely, and in an octagon.",
+    );
+    let shape = [vec2(38.0, 158.0), vec2(60.0, 176.0), vec2(196.0, 58.0), vec2(168.0, 34.0)];
+    let along = (shape[2] - shape[1]).normalize();
+    let axes = [Vec2::X, Vec2::Y];
+    let octagon = [Vec2::X, Vec2::Y, vec2(1.0, 1.0), vec2(1.0, -1.0)];
+    let kinds: [(u32, &[Vec2], &str); 3] = [
+        (1, &axes, "AABB"),
+        (2, &[along, along.perp()], "OBB"),
+        (3, &octagon, "k-DOP, here k = 8"),
+    ];
+    for (i, (series, directions, name)) in kinds.into_iter().enumerate() {
+        let shift = vec2(228.0 * i as f32, 0.0);
+        let moved = |points: &[Vec2]| points.iter().map(|p| *p + shift).collect::<Vec<_>>();
+        d.polygon(series, 0.12, &moved(&enclosure(&shape, directions)));
+        d.polygon(0, 0.35, &moved(&shape));
+        d.text(series, "middle", [112.0 + shift.x, 222.0], name);
+    }
+    d.finish()
+}
+
+/// Boxes in boxes, and the tree that they are.
+pub(super) fn tree() -> Drawing {
+    let mut d = Diagram::new(
+        292,
+        "On the left triangles in boxes within boxes, crossed by a ray. On the right the tree of \
+         these boxes: the ray enters A, C and F; what is below B, and E, is skipped.",
+    );
+    let leaves = [
+        ("D", [34.0, 40.0], [90.0, 70.0]),
+        ("E", [220.0, 34.0], [92.0, 80.0]),
+        ("F", [196.0, 160.0], [110.0, 84.0]),
+        ("G", [52.0, 140.0], [82.0, 96.0]),
+    ];
+    d.boxed(0, 0.04, [20.0, 14.0], [310.0, 252.0]);
+    d.text(0, "start", [26.0, 260.0], "A");
+    d.boxed(1, 0.06, [28.0, 24.0], [114.0, 220.0]);
+    d.text(1, "start", [32.0, 238.0], "B");
+    d.boxed(2, 0.06, [186.0, 24.0], [136.0, 228.0]);
+    d.text(2, "end", [318.0, 148.0], "C");
+    for (name, [x, y], [w, h]) in leaves {
+        d.boxed(3, 0.06, [x, y], [w, h]);
+        d.text(3, "start", [x + 4.0, y + 16.0], name);
+        let corner = |a: f32, b: f32| vec2(x + a * w, y + b * h);
+        d.polygon(0, 0.35, &[corner(0.0, 0.9), corner(0.5, 0.0), corner(0.6, 0.7)]);
+        d.polygon(0, 0.35, &[corner(0.55, 1.0), corner(0.75, 0.2), corner(1.0, 0.8)]);
+    }
+    d.arrow(4, vec2(160.0, 286.0), vec2(318.0, 168.0));
+    d.text(4, "end", [154.0, 288.0], "ray");
+
+    let nodes = [
+        (4, "A", vec2(510.0, 50.0)),
+        (0, "B", vec2(440.0, 130.0)),
+        (4, "C", vec2(580.0, 130.0)),
+        (0, "D", vec2(405.0, 210.0)),
+        (0, "G", vec2(475.0, 210.0)),
+        (0, "E", vec2(545.0, 210.0)),
+        (4, "F", vec2(615.0, 210.0)),
+    ];
+    for (i, (series, name, p)) in nodes.into_iter().enumerate() {
+        if i > 0 {
+            let parent = nodes[(i - 1) / 2].2;
+            let [from, to] = [parent + vec2(0.0, 16.0), p - vec2(0.0, 16.0)];
+            let dashes = if series == 4 { "none" } else { "4 4" };
+            d.path(series, 1.5, dashes, &format!("M{} {}L{} {}", from.x, from.y, to.x, to.y));
+        }
+        d.boxed(series, 0.08, [p.x - 20.0, p.y - 16.0], [40.0, 32.0]);
+        d.text(series, "middle", [p.x, p.y + 5.0], name);
+    }
+    d.text(0, "middle", [510.0, 262.0], "two triangles in each leaf");
+    d.finish()
+}

@@ -1,0 +1,6 @@
+//! What trees look like, and what they save.
+
+mod counts;
+mod shapes;
+mod threads;
+mod tools;

@@ -1,0 +1,8 @@
+//! What bounding volumes promise: never to miss what they enclose.
+
+mod boxes;
+mod misses;
+mod oriented;
+mod pairs;
+mod polytopes;
+mod tools;
