@@ -5,6 +5,7 @@ mod diagrams;
 mod growth;
 mod heat;
 pub(crate) mod naive;
+mod order;
 mod probability;
 mod rounding;
 mod savings;
@@ -28,6 +29,7 @@ pub(super) const FIGURES: &[Figure] = &[
     Figure { file: "04-bv-tree/savings-numbers.md", draw: savings::numbers },
     Figure { file: "04-bv-tree/heat.png", draw: heat::maps },
     Figure { file: "04-bv-tree/heat-numbers.md", draw: heat::numbers },
+    Figure { file: "04-bv-tree/order.md", draw: order::table },
     Figure { file: "04-bv-tree/builders.md", draw: builders::table },
     Figure { file: "04-bv-tree/growth.md", draw: growth::table },
     Figure { file: "04-bv-tree/growth.svg", draw: growth::plot },

@@ -5,7 +5,7 @@ use ray_casting::{Geometry, Interval, Ray};
 
 use crate::bounding_volume::{BoundingVolume, PADDING};
 use crate::item::Item;
-use crate::slab::{SlabQuery, larger, overlap, smaller};
+use crate::slab::{SlabQuery, larger, overlap};
 
 /// The points between two corners: three slabs along the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,8 +49,10 @@ impl Aabb {
 pub struct AabbQuery {
     /// [o + E, o + E, o − E, o − E].
     origins: [[f32; 4]; 3],
-    /// The corrected 1/d of each plane.
+    /// The corrected 1/d of each plane; negated for the two through which the ray leaves.
     inverses: [[f32; 4]; 3],
+    /// Whether the ray enters through the planes max.
+    backward: [bool; 3],
 }
 
 /// Two boxes: for each axis the planes [left.min, right.min, left.max, right.max].
@@ -74,7 +76,11 @@ impl BoundingVolume for Aabb {
         ];
         AabbQuery {
             origins: axes.map(|a| spread(a.origin_for_min, a.origin_for_max)),
-            inverses: axes.map(|a| spread(a.inverse_for_min, a.inverse_for_max)),
+            inverses: axes.map(|a| match a.is_backward() {
+                false => spread(a.inverse_for_min, -a.inverse_for_max),
+                true => spread(-a.inverse_for_min, a.inverse_for_max),
+            }),
+            backward: axes.map(|a| a.is_backward()),
         }
     }
 
@@ -89,9 +95,13 @@ impl BoundingVolume for Aabb {
         let mut inside = Interval::FORWARD;
         for i in 0..3 {
             let (o, inverse) = (&query.origins[i], &query.inverses[i]);
-            let a = (self.min[i] - o[0]) * inverse[0];
-            let b = (self.max[i] - o[2]) * inverse[2];
-            inside = overlap(Interval::new(smaller(a, b), larger(a, b)), inside);
+            let at_min = (self.min[i] - o[0]) * inverse[0];
+            let at_max = (self.max[i] - o[2]) * inverse[2];
+            let slab = match query.backward[i] {
+                false => Interval::new(at_min, -at_max),
+                true => Interval::new(at_max, -at_min),
+            };
+            inside = overlap(slab, inside);
         }
         inside
     }
@@ -104,18 +114,20 @@ impl BoundingVolume for Aabb {
     // ANCHOR: clip_pair
     /// As [`clip`](Self::clip), with four planes at a time: the compiler turns each line into one
     /// instruction on four numbers.
+    ///
+    /// The t of the planes through which the ray leaves are negative here, so that the last entry and
+    /// the first exit are both a maximum.
     #[inline]
     fn clip_pair(pair: &AabbPair, query: &AabbQuery) -> [Interval; 2] {
-        let mut enter = [0.0; 4];
-        let mut leave = [f32::INFINITY; 4];
-        for ((&planes, &origins), &inverses) in pair.iter().zip(&query.origins).zip(&query.inverses)
-        {
-            let t = zip(zip(planes, origins, sub), inverses, mul);
-            let other = [t[2], t[3], t[0], t[1]];
-            enter = zip(zip(t, other, smaller), enter, larger);
-            leave = zip(zip(t, other, larger), leave, smaller);
+        let mut last = [0.0, 0.0, f32::NEG_INFINITY, f32::NEG_INFINITY];
+        for (i, &planes) in pair.iter().enumerate() {
+            let mut t = zip(zip(planes, query.origins[i], sub), query.inverses[i], mul);
+            if query.backward[i] {
+                t = [t[2], t[3], t[0], t[1]];
+            }
+            last = zip(t, last, larger);
         }
-        [Interval::new(enter[0], leave[0]), Interval::new(enter[1], leave[1])]
+        [Interval::new(last[0], -last[2]), Interval::new(last[1], -last[3])]
     }
     // ANCHOR_END: clip_pair
 

@@ -201,7 +201,7 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
     #[inline(always)]
     fn look_ahead(&self, link: Link) {
         let (pair, triangle) = if link.is_inner() { (link.first, 0) } else { (0, link.first) };
-        black_box(self.pairs.get(pair as usize).map(|pair| pair.links[0].first));
+        black_box(self.pairs[pair as usize].links[0].first);
         black_box(self.triangles.get(triangle as usize).map(|corners| corners[0].x));
     }
 }

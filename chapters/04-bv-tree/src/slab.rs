@@ -52,6 +52,13 @@ impl SlabQuery {
     }
     // ANCHOR_END: new
 
+    /// Whether the ray enters through the plane hi.
+    #[inline]
+    #[must_use]
+    pub fn is_backward(&self) -> bool {
+        self.inverse_for_min < 0.0
+    }
+
     // ANCHOR: clip
     /// The t for which the ray is inside the slab [`slab.min`, `slab.max`]. Ends may be NaN.
     #[inline]

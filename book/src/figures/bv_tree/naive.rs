@@ -36,19 +36,19 @@ fn folklore(min: [f32; 3], max: [f32; 3], query: &PlainQuery) -> Interval {
 }
 // ANCHOR_END: folklore
 
-/// The slab test with comparisons that let NaN pass, as ours, but without any padding.
+/// The slab test with comparisons that ignore a plane whose t is NaN, but without any padding.
 #[derive(Clone, Copy)]
 pub(crate) struct UnpaddedBox(Aabb);
 
 fn unpadded(min: [f32; 3], max: [f32; 3], query: &PlainQuery) -> Interval {
-    let smaller = |a: f32, b: f32| if a < b { a } else { b };
-    let larger = |a: f32, b: f32| if a > b { a } else { b };
     let mut inside = Interval::FORWARD;
     for i in 0..3 {
-        let a = (min[i] - query.origin[i]) * query.inverse[i];
-        let b = (max[i] - query.origin[i]) * query.inverse[i];
-        inside.min = larger(smaller(a, b), inside.min);
-        inside.max = smaller(larger(a, b), inside.max);
+        let forward = query.inverse[i] > 0.0;
+        let (near, far) = if forward { (min[i], max[i]) } else { (max[i], min[i]) };
+        let enter = (near - query.origin[i]) * query.inverse[i];
+        let leave = (far - query.origin[i]) * query.inverse[i];
+        inside.min = if enter > inside.min { enter } else { inside.min };
+        inside.max = if leave < inside.max { leave } else { inside.max };
     }
     inside
 }

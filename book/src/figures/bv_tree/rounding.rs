@@ -96,7 +96,7 @@ fn aimed(geometry: &Geometry, distance: f32) -> Vec<Ray> {
         let origin = target - distance * direction;
         Ray::new(origin, (target - origin).normalize())
     };
-    (0..10_000).map(ray).collect()
+    (0..5_000).map(ray).collect()
 }
 
 fn row(table: &mut Table, name: &str, geometry: &Geometry, rays: Vec<Ray>) {

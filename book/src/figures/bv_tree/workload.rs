@@ -156,17 +156,22 @@ pub(crate) struct Volume {
 pub(crate) type Built<'a> = (Box<dyn Intersect + 'a>, Shape);
 
 /// Axis-aligned boxes.
-pub(crate) const AABB: Volume = Volume { name: "AABB", slabs: 3, build: build::<Aabb> };
+pub(crate) const AABB: Volume = volume::<Aabb>("AABB", 3);
 
 /// All the volumes of the chapter.
 pub(crate) const VOLUMES: [Volume; 6] = [
     AABB,
-    Volume { name: "OBB", slabs: 3, build: build::<Obb> },
-    Volume { name: "6-DOP", slabs: 3, build: build::<KDop<3>> },
-    Volume { name: "14-DOP", slabs: 7, build: build::<KDop<7>> },
-    Volume { name: "18-DOP", slabs: 9, build: build::<KDop<9>> },
-    Volume { name: "26-DOP", slabs: 13, build: build::<KDop<13>> },
+    volume::<Obb>("OBB", 3),
+    volume::<KDop<3>>("6-DOP", 3),
+    volume::<KDop<7>>("14-DOP", 7),
+    volume::<KDop<9>>("18-DOP", 9),
+    volume::<KDop<13>>("26-DOP", 13),
 ];
+
+/// A kind of volume by its type.
+pub(super) const fn volume<V: BoundingVolume>(name: &'static str, slabs: u32) -> Volume {
+    Volume { name, slabs, build: build::<V> }
+}
 
 fn build<'a, V: BoundingVolume>(
     geometry: &'a Geometry,

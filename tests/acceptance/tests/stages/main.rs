@@ -1,0 +1,10 @@
+//! Every stage, through its own binary.
+
+mod agreement;
+mod bad_input;
+mod command_line;
+#[cfg(unix)]
+mod interrupt;
+mod output;
+mod scenes;
+mod sound;

@@ -1,0 +1,105 @@
+//! What a stage writes and prints.
+
+use std::fs;
+
+use acceptance::{Folder, STAGES};
+use serde_json::Value;
+use workbench::Image;
+
+use crate::scenes::{BALL, scene};
+
+const KEYS: [(&str, &[&str]); 4] = [
+    ("seconds", &["build", "load", "render"]),
+    ("rays", &["camera", "reflection", "refraction", "scatter", "shadow"]),
+    ("tests", &["primitive", "volume"]),
+    (
+        "skipped",
+        &["branches_below_threshold", "shadow_rays_facing_away", "shadow_rays_nothing_to_reflect"],
+    ),
+];
+
+/// interface.md §3.
+#[test]
+fn statistics_have_the_promised_keys() {
+    let folder = Folder::with(&[("s.toml", &scene(BALL))]);
+    for stage in STAGES {
+        folder.run(stage, "s.toml --samples 3 --seed 5 --threads 2 --quiet --stats s.json", 0);
+        let text = fs::read_to_string(folder.path("s.json")).expect("the statistics are read");
+        let all: Value = serde_json::from_str(&text).expect("they are JSON");
+        assert_eq!(all["stage"], stage, "stage");
+        assert_eq!(all["scene"], "s", "{stage}: scene");
+        assert_eq!(all["size"], serde_json::json!([24, 16]), "{stage}: size");
+        assert_eq!((&all["samples"], &all["seed"]), (&3.into(), &5.into()), "{stage}: numbers");
+        assert_eq!(all["threads"], 2, "{stage}: threads");
+        assert_eq!(all["non_finite_samples"], 0, "{stage}: non-finite samples");
+        for (group, keys) in KEYS {
+            let mut found: Vec<&String> = all[group].as_object().expect(group).keys().collect();
+            found.sort();
+            assert_eq!(found, keys, "{stage}: keys of {group}");
+            let sound = |value: &Value| value.as_f64().is_some_and(|number| number >= 0.0);
+            let values = all[group].as_object().expect(group);
+            assert!(values.values().all(sound), "{stage}: {group} is {values:?}");
+        }
+        assert_eq!(all["rays"]["camera"], 24 * 16 * 3, "{stage}: camera rays");
+    }
+}
+
+/// The counts, but for `threads` and the times.
+fn counts(folder: &Folder, stage: &str, arguments: &str) -> Value {
+    let output = folder.run(stage, &format!("{arguments} --quiet --stats -"), 0);
+    let mut all: Value = serde_json::from_slice(&output.stdout).expect("nothing but JSON");
+    let keys = all.as_object_mut().expect("an object");
+    keys.remove("threads");
+    keys.remove("seconds");
+    all
+}
+
+#[test]
+fn counts_do_not_depend_on_threads() {
+    let folder = Folder::with(&[]);
+    for stage in ["ray-casting", "blinn-phong", "mirror-refraction", "bv-tree"] {
+        let count = |threads: u32| {
+            let size = "--size 48x32 --samples 2";
+            counts(&folder, stage, &format!("whitted {size} --threads {threads} -o a.exr"))
+        };
+        let one = count(1);
+        assert_eq!([count(2), count(5)], [one.clone(), one], "{stage}: counts of 1, 2, 5 threads");
+    }
+}
+
+#[test]
+fn a_pixel_is_told_and_not_written() {
+    let folder = Folder::with(&[("s.toml", &scene(BALL))]);
+    for stage in STAGES {
+        folder.run(stage, "s.toml --samples 4 --quiet -o whole.exr", 0);
+        let output = folder.run(stage, "s.toml --samples 4 -o one.exr --pixel 12,8", 0);
+        let text = String::from_utf8_lossy(&output.stdout);
+        let whole = Image::load_exr(&folder.path("whole.exr")).expect("the picture is read");
+        let [r, g, b] = whole.pixel(12, 8);
+        let last = format!("pixel (12, 8): {r} {g} {b}, the mean of 4 samples");
+        assert_eq!(text.lines().last(), Some(last.as_str()), "{stage} says: {text}");
+        if stage != "workbench" {
+            assert_eq!(
+                text.matches("hits Hit").count(),
+                1,
+                "{stage}, the first path alone: {text}"
+            );
+        }
+        fs::remove_file(folder.path("whole.exr")).expect("it is removed");
+        assert_eq!(folder.files(), ["s.toml"], "{stage}: the files");
+    }
+}
+
+#[test]
+fn only_the_picture_is_left_behind() {
+    for stage in STAGES {
+        let folder = Folder::with(&[("s.toml", &scene(BALL))]);
+        folder.run(stage, "s.toml --samples 1", 0);
+        let picture = format!("{stage}-s.png");
+        let mut files = vec![picture.clone(), "s.toml".to_owned()];
+        files.sort();
+        assert_eq!(folder.files(), files, "{stage}: the files");
+        let image = Image::load_png(&folder.path(&picture)).expect("the picture is read");
+        assert_eq!([image.width, image.height], [24, 16], "{stage}: the size");
+    }
+}
