@@ -40,8 +40,7 @@ impl Faulty {
             Fault::TakesTheHighestOfEqualNames => {
                 let prepared = ray_casting::PreparedRay::new(ray);
                 let all = 0..self.geometry.primitives();
-                let mut hits =
-                    all.filter_map(|i| self.geometry.intersect_primitive(&prepared, i));
+                let mut hits = all.filter_map(|i| self.geometry.intersect_primitive(&prepared, i));
                 hits.rfind(|hit| hit.t == nearest.t)
             }
             Fault::TakesTheFirstItFinds => {

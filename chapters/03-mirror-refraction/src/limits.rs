@@ -28,6 +28,7 @@ pub struct Limits {
 }
 
 impl Limits {
+    // ANCHOR: cutoff
     /// Half the smallest step between two codes of an 8-bit sRGB picture, in linear light.
     ///
     /// Near black the sRGB curve is the line 12.92 x, so code 1 stands for 1/(255 · 12.92). A branch
@@ -35,6 +36,7 @@ impl Limits {
     /// the picture, a smaller weight cannot move a pixel by more than a rounding. A reflected highlight
     /// that is brighter than white can.
     pub const CUTOFF: f32 = 0.5 / (255.0 * 12.92);
+    // ANCHOR_END: cutoff
 
     /// The deepest recursion; its frames fit on the stack of any thread.
     pub const DEEPEST: u32 = 1000;

@@ -30,6 +30,7 @@ impl Media {
     /// leaving it is then like leaving a body that was never entered.
     const CAPACITY: usize = 8;
 
+    // ANCHOR: media
     /// The index of refraction around the ray.
     #[inline]
     #[must_use]
@@ -54,6 +55,7 @@ impl Media {
         }
         place.is_some()
     }
+    // ANCHOR_END: media
 
     /// What no longer counts is overwritten, so that equal lists are equal values.
     fn remove(&mut self, place: usize) {

@@ -99,7 +99,7 @@ pub(super) fn slabs() -> Drawing {
     d.path(1, 1.5, "6 4", "M180 20V310M330 20V310");
     d.path(2, 1.5, "6 4", "M20 80H660M20 190H660");
     d.text(1, "middle", [255.0, 34.0], "slab in x");
-    d.text(2, "end", [660.0, 70.0], "slab in y");
+    d.text(2, "start", [24.0, 140.0], "slab in y");
     d.boxed(0, 0.12, [180.0, 80.0], [150.0, 110.0]);
     let rays = [
         (3, vec2(40.0, 230.0), vec2(480.0, 40.0), 345.0, "first ray"),

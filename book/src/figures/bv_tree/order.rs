@@ -3,7 +3,7 @@
 use bv_tree::{Aabb, AabbPair, AabbQuery, BoundingVolume, Builder, Item};
 use ray_casting::{Geometry, Interval, Ray};
 
-use super::workload::{AABB, Volume, comparison, volume};
+use super::workload::{AABB, Volume, Workload, balls, comparison, volume};
 use crate::figures::Drawing;
 use crate::table::Table;
 
@@ -56,7 +56,8 @@ pub(super) fn table() -> Drawing {
         "near first, ray cut: boxes",
         "primitives",
     ]);
-    for workload in comparison(120) {
+    let balls = Workload::record("a cube full of balls", balls(), 120);
+    for workload in comparison(120).into_iter().chain([balls]) {
         let costs = [SILENT, AABB].map(|volume| workload.cost(&volume, Builder::Sah));
         let [silent, full] = &costs;
         assert_eq!(silent.answers, full.answers, "{}: same hits", workload.name);

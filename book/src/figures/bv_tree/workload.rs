@@ -8,7 +8,7 @@ use generator::Mesh;
 use glam::{Vec3, vec3};
 use mirror_refraction::{Limits, RayTracer};
 use ray_casting::{
-    Attributes, Camera, Geometry, Hit, Intersect, LinearSearch, PointLight, Ray, Scene,
+    Attributes, Camera, Geometry, Hit, Intersect, LinearSearch, PointLight, Ray, Scene, Sphere,
 };
 use workbench::{CameraRecord, Counter, FilmSettings, Recorder, Sampler, Unwatched, expose};
 
@@ -233,6 +233,24 @@ pub(crate) fn rods() -> Scene {
     };
     let mut geometry = Geometry::default();
     (0..300).for_each(|i| add_rod(&mut geometry, &mut Sampler::new(5, i, 0)));
+    made(geometry, &camera, vec3(4.0, 6.0, 8.0))
+}
+
+/// Four thousand balls that fill a cube: behind what a ray hits there is always more.
+pub(super) fn balls() -> Scene {
+    let camera = CameraRecord {
+        eye: [1.5, 1.2, 4.0],
+        target: [0.0, 0.0, 0.0],
+        up: [0.0, 1.0, 0.0],
+        fov: 36.0,
+        size: [300, 200],
+    };
+    let ball = |i| {
+        let mut sampler = Sampler::new(10, i, 0);
+        let [x, y] = sampler.next_2d();
+        Sphere { center: 2.0 * vec3(x, y, sampler.next_1d()) - 1.0, radius: 0.06 }
+    };
+    let geometry = Geometry { spheres: (0..4000).map(ball).collect(), ..Geometry::default() };
     made(geometry, &camera, vec3(4.0, 6.0, 8.0))
 }
 

@@ -9,6 +9,9 @@ use crate::ray::Ray;
 /// How many rays of each random kind.
 const RAYS: u64 = 250;
 
+/// How far from their targets rays start, compared to the size of the geometry.
+const DISTANCES: [f32; 6] = [1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0];
+
 /// Rays for `geometry`: random, along the axes, aimed at vertices and edges, and broken ones.
 pub(super) fn all(geometry: &Geometry) -> Vec<Ray> {
     let mut sampler =
@@ -24,6 +27,12 @@ pub(super) fn all(geometry: &Geometry) -> Vec<Ray> {
         rays.push(Ray::new(origin, (target - origin).normalize_or(Vec3::X)));
         rays.push(Ray::new(origin, (target.midpoint(other) - origin).normalize_or(Vec3::Y)));
         rays.push(Ray::new(target, (other - target).normalize_or(Vec3::Z)));
+        // From far away and from close by: a direction is rounded, and so the ray passes its target at a
+        // distance that grows with the way.
+        for target in [target, other] {
+            let away = pick(&DISTANCES, &mut sampler) * size * in_cube(&mut sampler);
+            rays.push(Ray::new(target + away, (-away).normalize_or(Vec3::Z)));
+        }
         for axis in Vec3::AXES {
             rays.push(Ray::new(target - axis * size, axis));
             rays.push(Ray::new(target + axis * size, -axis));
@@ -54,8 +63,8 @@ fn extent(points: &[Vec3]) -> (Vec3, f32) {
     (min.midpoint(max), (max - min).max_element().max(1.0))
 }
 
-fn pick(points: &[Vec3], sampler: &mut Sampler) -> Vec3 {
-    points[(sampler.next_1d() * points.len() as f32) as usize % points.len()]
+fn pick<T: Copy>(choices: &[T], sampler: &mut Sampler) -> T {
+    choices[(sampler.next_1d() * choices.len() as f32) as usize % choices.len()]
 }
 
 /// A point of the cube from −1 to 1.

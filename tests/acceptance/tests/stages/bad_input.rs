@@ -34,24 +34,44 @@ fn a_scene_that_is_not_there_or_is_a_folder() {
 fn a_scene_file_that_is_wrong() {
     let with_ball = |old: &str, new: &str| scene(&BALL.replace(old, new));
     let cases = [
-        ("an unknown key", HEAD.replace("fov", "fow"), vec!["s.toml:5", "fow", "`fov`"]),
+        ("an unknown key", HEAD.replace("fov", "fow"), vec!["`s.toml`, line 5:", "fow", "`fov`"]),
         ("an unknown table", scene("[[spheer]]\nradius = 1\n"), vec!["s.toml", "`sphere`"]),
-        ("NaN", with_ball("radius = 1", "radius = nan"), vec!["s.toml:16", "radius"]),
-        ("∞", with_ball("[0, 0, 0]", "[0, inf, 0]"), vec!["s.toml:14", "center"]),
-        ("1e39", with_ball("radius = 1", "radius = 1e39"), vec!["s.toml:16", "radius"]),
-        ("a negative radius", with_ball("= 1", "= -1"), vec!["s.toml:16", "above 0"]),
-        ("a radius of 0", with_ball("= 1", "= 0"), vec!["s.toml:16", "above 0"]),
-        ("no pixels", HEAD.replace("[24, 16]", "[0, 16]"), vec!["s.toml:6", "size"]),
-        ("too many", HEAD.replace("[24, 16]", "[60000, 60000]"), vec!["s.toml:6", "memory"]),
-        ("a missing material", with_ball("'white'", "'wihte'"), vec!["s.toml:15", "`white`"]),
-        ("a text for a number", with_ball("= 1", "= 'one'"), vec!["s.toml:16", "radius"]),
-        ("a key twice", with_ball("= 1", "= 1\nradius = 2"), vec!["s.toml:17"]),
+        ("NaN", with_ball("radius = 1", "radius = nan"), vec!["`s.toml`, line 17:", "radius"]),
+        ("∞", with_ball("[0, 0, 0]", "[0, inf, 0]"), vec!["`s.toml`, line 15:", "center"]),
+        ("1e39", with_ball("radius = 1", "radius = 1e39"), vec!["`s.toml`, line 17:", "radius"]),
+        ("a negative radius", with_ball("= 1", "= -1"), vec!["`s.toml`, line 17:", "above 0"]),
+        ("a radius of 0", with_ball("= 1", "= 0"), vec!["`s.toml`, line 17:", "above 0"]),
+        ("no pixels", HEAD.replace("[24, 16]", "[0, 16]"), vec!["`s.toml`, line 6:", "size"]),
+        (
+            "too many",
+            HEAD.replace("[24, 16]", "[60000, 60000]"),
+            vec!["`s.toml`, line 6:", "memory"],
+        ),
+        (
+            "a missing material",
+            with_ball("'white'", "'wihte'"),
+            vec!["`s.toml`, line 16:", "`white`"],
+        ),
+        ("a text for a number", with_ball("= 1", "= 'one'"), vec!["`s.toml`, line 17:", "radius"]),
+        ("a key twice", with_ball("= 1", "= 1\nradius = 2"), vec!["`s.toml`, line 18:"]),
         ("no camera", BALL.to_owned(), vec!["s.toml", "camera"]),
         ("nothing", String::new(), vec!["s.toml", "camera"]),
-        ("no TOML", "%PDF-1.4\n%\u{1}".to_owned(), vec!["s.toml:1"]),
-        ("a long line", format!("#{}", "x".repeat(30_000_000)), vec!["s.toml:1", "longer"]),
-        ("itself as mesh", scene("[[mesh]]\nfile = 's.toml'\n"), vec!["s.toml:14", ".obj"]),
-        ("nothing as mesh", scene("[[mesh]]\nfile = 'b.obj'\n"), vec!["s.toml:14", "b.obj"]),
+        ("no TOML", "%PDF-1.4\n%\u{1}".to_owned(), vec!["`s.toml`, line 1:"]),
+        (
+            "a long line",
+            format!("#{}", "x".repeat(30_000_000)),
+            vec!["`s.toml`, line 1:", "longer"],
+        ),
+        (
+            "itself as mesh",
+            scene("[[mesh]]\nfile = 's.toml'\n"),
+            vec!["`s.toml`, line 15:", ".obj"],
+        ),
+        (
+            "nothing as mesh",
+            scene("[[mesh]]\nfile = 'b.obj'\n"),
+            vec!["`s.toml`, line 15:", "b.obj"],
+        ),
         ("a look upwards", HEAD.replace("eye = [0, 0, 5]", "eye = [0, 5, 0]"), vec!["up"]),
     ];
     for (case, text, parts) in cases {
@@ -59,7 +79,7 @@ fn a_scene_file_that_is_wrong() {
     }
     let folder = Folder::with(&[]);
     folder.write("s.toml", b"ambient = [0, 0, 0]\n\xff\xfe");
-    check("no text", &folder, &["s.toml:2", "UTF-8"]);
+    check("no text", &folder, &["`s.toml`, line 2:", "UTF-8"]);
 }
 
 #[test]
@@ -67,16 +87,16 @@ fn a_mesh_that_is_wrong() {
     let text = scene(MESH);
     let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (case, obj, parts) in [
-        ("a corner too large", "f 1 2 4", vec!["a.obj:4", "4"]),
-        ("a corner 0", "f 0 1 2", vec!["a.obj:4", "0"]),
-        ("a corner too negative", "f -4 -2 -1", vec!["a.obj:4", "-4"]),
-        ("a corner that is none", "f 1 2 x", vec!["a.obj:4"]),
+        ("a corner too large", "f 1 2 4", vec!["`a.obj`, line 4:", "4"]),
+        ("a corner 0", "f 0 1 2", vec!["`a.obj`, line 4:", "0"]),
+        ("a corner too negative", "f -4 -2 -1", vec!["`a.obj`, line 4:", "-4"]),
+        ("a corner that is none", "f 1 2 x", vec!["`a.obj`, line 4:"]),
         ("no face", "", vec!["a.obj"]),
         ("lines alone", "l 1 2\np 1", vec!["a.obj"]),
         ("faces without area", "f 1 1 2\nf 2 2 2", vec!["a.obj"]),
-        ("NaN", "v nan 0 0\nf 1 2 4", vec!["a.obj:4"]),
-        ("a number too large", "v 1e99 0 0\nf 1 2 4", vec!["a.obj:4"]),
-        ("a normal that is missing", "f 1//1 2//1 3//1", vec!["a.obj:4"]),
+        ("NaN", "v nan 0 0\nf 1 2 4", vec!["`a.obj`, line 4:"]),
+        ("a number too large", "v 1e99 0 0\nf 1 2 4", vec!["`a.obj`, line 4:"]),
+        ("a normal that is missing", "f 1//1 2//1 3//1", vec!["`a.obj`, line 4:"]),
     ] {
         let obj = format!("{corners}{obj}\n");
         check(case, &Folder::with(&[("s.toml", &text), ("a.obj", &obj)]), &parts);
@@ -98,11 +118,11 @@ const HUGE_TEXTURE_CHECKSUM: [u8; 4] = [0xd3, 0x0f, 0xaf, 0x2a];
 fn a_texture_that_is_wrong() {
     let text = scene("[materials.floor]\nkd = [1, 1, 1]\nmap_kd = 'a.png'\n");
     let folder = Folder::with(&[("s.toml", &text)]);
-    check("no texture", &folder, &["s.toml:15", "a.png"]);
+    check("no texture", &folder, &["`s.toml`, line 16:", "a.png"]);
     folder.write("a.png", b"this is no picture");
-    check("no picture", &folder, &["s.toml:15", "a.png"]);
+    check("no picture", &folder, &["`s.toml`, line 16:", "a.png"]);
     folder.write("a.png", &huge_texture());
-    check("a huge picture", &folder, &["s.toml:15", "1000000×1000000", "at most"]);
+    check("a huge picture", &folder, &["`s.toml`, line 16:", "1000000×1000000", "at most"]);
 }
 
 /// A mesh whose materials are missing is drawn, and the summary says so or an error does.

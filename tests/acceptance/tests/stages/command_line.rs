@@ -29,7 +29,7 @@ fn a_wrong_option_is_an_error_2() {
     let own = [
         ("ray-casting", "--show nromal", "normal"),
         ("blinn-phong", "--terms al", "all"),
-        ("mirror-refraction", "--cutoff -1", "cutoff"),
+        ("mirror-refraction", "--cutoff=-1", "cutoff"),
         ("mirror-refraction", "--cutoff nan", "cutoff"),
         ("bv-tree", "--volume aab", "aabb"),
         ("bv-tree", "--builder sha", "sah"),

@@ -76,8 +76,9 @@ fn a_pixel_is_told_and_not_written() {
         let text = String::from_utf8_lossy(&output.stdout);
         let whole = Image::load_exr(&folder.path("whole.exr")).expect("the picture is read");
         let [r, g, b] = whole.pixel(12, 8);
-        let last = format!("pixel (12, 8): {r} {g} {b}, the mean of 4 samples");
-        assert_eq!(text.lines().last(), Some(last.as_str()), "{stage} says: {text}");
+        let last = format!("pixel (12, 8): {r} {g} {b}, ");
+        let told = text.lines().last().is_some_and(|line| line.starts_with(&last));
+        assert!(told, "{stage} does not end with `{last}`: {text}");
         if stage != "workbench" {
             assert_eq!(
                 text.matches("hits Hit").count(),
