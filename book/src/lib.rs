@@ -6,9 +6,9 @@
 //! | [`formulas`] | `$…$` and `$$…$$` become MathML |
 //! | [`citations`] | `[Whitted80]` becomes a link to the references |
 //! | [`includes`] | every `{{#include …}}` finds its file and its anchor |
-//! | [`html`], [`links`] | every link of the built pages leads somewhere, and nothing is fetched from outside |
-//! | [`figures`] | the table of figures: make them, or check that they have not drifted |
-//! | [`measurements`] | the tables of run times, refreshed by hand |
+//! | [`html`], [`links`] | every link of the built pages leads somewhere, and nothing is fetched
+//! from outside | | [`figures`] | the table of figures: make them, or check that they have not
+//! drifted | | [`measurements`] | the tables of run times, refreshed by hand |
 //! | [`warnings`], [`folder`] | what mdBook logs; files and folders |
 //! | [`picture`], [`plot`], [`axis`], [`table`], [`numbers`] | what a figure can be |
 

@@ -60,7 +60,8 @@ pub fn check(root: &Path) -> Result<String> {
 pub fn answer(preprocessor: &impl Preprocessor) -> Result<()> {
     let (mut context, book) = parse_input(io::stdin())
         .map_err(|error| error.context("the book needs mdbook 0.5: `cargo run -p book` has it"))?;
-    // mdBook starts its commands in the book's folder, and may name that folder relative to its own.
+    // mdBook starts its commands in the book's folder, and may name that folder relative to its
+    // own.
     context.root = env::current_dir()?;
     let processed = preprocessor.run(&context, book)?;
     serde_json::to_writer(io::stdout(), &processed)?;

@@ -8,7 +8,8 @@
 pub(crate) struct Decimal {
     /// The magnitude, in 10⁻⁷ scene units.
     units: u64,
-    /// Kept apart from the magnitude: a tiny negative number is written as −0, as C's `printf` does.
+    /// Kept apart from the magnitude: a tiny negative number is written as −0, as C's `printf`
+    /// does.
     negative: bool,
 }
 

@@ -5,8 +5,9 @@
 /// A vector of f64.
 type Vector = [f64; 3];
 
-/// How far a quad may be from flat, compared to its longer diagonal. Measured scenes are not exact: the
-/// red wall of the Cornell box is 2·10⁻³ off, and is meant to be two triangles at an angle of ½°.
+/// How far a quad may be from flat, compared to its longer diagonal. Measured scenes are not exact:
+/// the red wall of the Cornell box is 2·10⁻³ off, and is meant to be two triangles at an angle of
+/// ½°.
 const FLATNESS: f64 = 1e-2;
 
 /// (b − a) × (c − a): twice the area of the triangle, along its normal.

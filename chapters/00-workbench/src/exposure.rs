@@ -36,7 +36,8 @@ pub struct FilmSettings {
 /// Renders a picture in memory, for tests and figures: pixel for pixel that of
 /// [`Run::render`](crate::Run::render).
 ///
-/// A pixel that meets a sample that is not finite is NaN as a whole, so that no test passes over it.
+/// A pixel that meets a sample that is not finite is NaN as a whole, so that no test passes over
+/// it.
 ///
 /// Panics when the size is beyond the limits, or when the threads cannot be started.
 pub fn expose<R: Into<[f32; 3]>>(

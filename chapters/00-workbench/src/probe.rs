@@ -50,7 +50,8 @@ pub enum Counter {
     VolumeTests,
     /// Ray against triangle or sphere.
     PrimitiveTests,
-    /// Shadow rays not traced, because the light is behind the surface.
+    /// Shadow rays not traced, because nothing arrives from the light: it is behind the surface, the
+    /// point is behind the lamp, or it is so far away that its light vanishes.
     ShadowRaysFacingAway,
     /// Shadow rays not traced, because the surface reflects nothing of that light.
     ShadowRaysNothingToReflect,

@@ -12,7 +12,8 @@ pub struct CameraRecord {
     pub eye: [f32; 3],
     /// A point that is seen in the middle of the picture; never equal to `eye`.
     pub target: [f32; 3],
-    /// The direction that is upwards in the picture; not zero, never parallel to the view direction.
+    /// The direction that is upwards in the picture; not zero, never parallel to the view
+    /// direction.
     pub up: [f32; 3],
     /// The vertical angle of view in degrees, between 0 and 180 (both exclusive).
     pub fov: f32,
@@ -53,7 +54,8 @@ pub struct MaterialRecord {
     pub kt: [f32; 3],
     /// Emitted radiance, constant over the front hemisphere.
     pub ke: [f32; 3],
-    /// Index of the picture that multiplies `kd` in [`SceneFile::textures`](crate::SceneFile::textures).
+    /// Index of the picture that multiplies `kd` in
+    /// [`SceneFile::textures`](crate::SceneFile::textures).
     pub map_kd: Option<u32>,
 }
 

@@ -330,7 +330,8 @@ fn surface_kind(item: &Item<'_>) -> Result<SurfaceKind, SceneError> {
     }
 }
 
-/// Whether scaling, rotating and moving keep the positions finite: |p| scale + |t| < the largest f32.
+/// Whether scaling, rotating and moving keep the positions finite: |p| scale + |t| < the largest
+/// f32.
 fn stays_finite(positions: &[[f32; 3]], scale: f32, translate: [f32; 3]) -> bool {
     let largest = |values: &[f32]| values.iter().fold(0.0_f32, |most, value| most.max(value.abs()));
     let reach = f64::from(largest(positions.as_flattened())) * 3.0_f64.sqrt() * f64::from(scale);

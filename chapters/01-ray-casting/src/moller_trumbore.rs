@@ -1,9 +1,9 @@
 //! The ray-triangle test of Möller and Trumbore, the review's [11], kept to be compared.
 //!
-//! It computes the two weights of the hit from the triangle's own edges. Each triangle rounds in its
-//! own way, so of two neighbours each may deny a ray that passes through their common edge: a tenth
-//! of the rays aimed at edges slip through a closed mesh. Chapter 1 shows the seams; the course
-//! renders with [`triangle`](crate::triangle) instead.
+//! It computes the two weights of the hit from the triangle's own edges. Each triangle rounds in
+//! its own way, so of two neighbours each may deny a ray that passes through their common edge: a
+//! tenth of the rays aimed at edges slip through a closed mesh. Chapter 1 shows the seams; the
+//! course renders with [`triangle`](crate::triangle) instead.
 
 use glam::{Vec2, Vec3};
 
@@ -14,7 +14,8 @@ use crate::ray::Ray;
 /// The hit of `ray` on the triangle with these vertices, if `ray.extent` admits it.
 ///
 /// Cramer's rule for **o** + t **d** = (1 − u − v) **v**₀ + u **v**₁ + v **v**₂, with
-/// **e**₁ = **v**₁ − **v**₀, **e**₂ = **v**₂ − **v**₀ and **s** = **o** − **v**₀ [MollerTrumbore97]:
+/// **e**₁ = **v**₁ − **v**₀, **e**₂ = **v**₂ − **v**₀ and **s** = **o** − **v**₀
+/// [MollerTrumbore97]:
 ///
 /// ```text
 /// p = d × e₂,  q = s × e₁,  det = e₁·p,   u = s·p / det,  v = d·q / det,  t = e₂·q / det

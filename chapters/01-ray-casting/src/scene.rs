@@ -75,8 +75,8 @@ impl Scene {
 
     /// The unit normal that shading uses, on the viewer's side of the surface.
     ///
-    /// Interpolated from the vertices where the mesh has normals, else the geometric one. Which side
-    /// of the surface a ray is on is never decided by it.
+    /// Interpolated from the vertices where the mesh has normals, else the geometric one. Which
+    /// side of the surface a ray is on is never decided by it.
     #[must_use]
     pub fn shading_normal(&self, surface: &SurfacePoint) -> Vec3 {
         let facing = surface.facing_normal();
@@ -93,9 +93,9 @@ impl Scene {
 
     /// Texture coordinates (u, v) of a hit.
     ///
-    /// On a quad they run from (0, 0) at its first vertex to (1, 1) at its third, on a mesh they come
-    /// from its file, on a sphere u is the longitude from +z toward +x and v the latitude from the
-    /// south pole, both from 0 to 1.
+    /// On a quad they run from (0, 0) at its first vertex to (1, 1) at its third, on a mesh they
+    /// come from its file, on a sphere u is the longitude from +z toward +x and v the latitude from
+    /// the south pole, both from 0 to 1.
     #[must_use]
     pub fn texture_coordinates(&self, surface: &SurfacePoint) -> Vec2 {
         match self.geometry.triangles.get(surface.hit.primitive as usize) {

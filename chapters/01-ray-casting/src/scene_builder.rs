@@ -144,8 +144,9 @@ impl SceneBuilder {
 
     /// The light that stands in for these triangles, if their material shines.
     ///
-    /// It stands at their centre of area and shines along their mean normal. A closed mesh has none:
-    /// a convex body shows a quarter of its area to every side on average (Cauchy), and so it shines.
+    /// It stands at their centre of area and shines along their mean normal. A closed mesh has
+    /// none: a convex body shows a quarter of its area to every side on average (Cauchy), and so it
+    /// shines.
     fn add_flat_lamp(&mut self, lamp: Range<u32>, material: u32) {
         let radiance = self.emitted[material as usize];
         if radiance == Rgb::ZERO {

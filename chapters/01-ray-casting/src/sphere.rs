@@ -32,7 +32,8 @@ impl Sphere {
     /// ```
     ///
     /// c still cancels for an eye just above a large ground sphere, hence double precision inside.
-    /// A ray that only touches (r² = l·l) counts as a hit. [`intersect_naive`] is the school formula.
+    /// A ray that only touches (r² = l·l) counts as a hit. [`intersect_naive`] is the school
+    /// formula.
     #[inline]
     #[must_use]
     pub fn intersect(&self, ray: &Ray) -> Option<f32> {

@@ -67,10 +67,10 @@ impl SurfacePoint {
     /// o = p ± δ n,   δ = Σ |nᵢ| eᵢ
     /// ```
     ///
-    /// The exact point lies in the box **p** ± **e**, and no corner of that box is farther from **p**
-    /// along **n** than δ. Adding δ **n** rounds once more, so each component is moved on to the next
-    /// float away from **p** [PBR4] §6.8.6. No constant is involved: the step is a few units in the
-    /// last place of **p**, at every scale. [`offset_by_epsilon`] is what it replaces.
+    /// The exact point lies in the box **p** ± **e**, and no corner of that box is farther from
+    /// **p** along **n** than δ. Adding δ **n** rounds once more, so each component is moved on to
+    /// the next float away from **p** [PBR4] §6.8.6. No constant is involved: the step is a few
+    /// units in the last place of **p**, at every scale. [`offset_by_epsilon`] is what it replaces.
     #[inline]
     fn offset_origin(&self, direction: Vec3) -> Vec3 {
         let n = self.geometric_normal;

@@ -1,9 +1,9 @@
 //! Triangles without gaps between them.
 //!
-//! The test is that of Woop, Benthin and Wald [Woop13]. The vertices are moved into a frame in which
-//! the ray is the z axis; the ray then hits the triangle when the origin of the xy plane lies on the
-//! same side of all three edges. What an edge says depends on its two end points alone, so two
-//! triangles that share an edge can never both deny a ray that passes through it: a closed mesh
+//! The test is that of Woop, Benthin and Wald [Woop13]. The vertices are moved into a frame in
+//! which the ray is the z axis; the ray then hits the triangle when the origin of the xy plane lies
+//! on the same side of all three edges. What an edge says depends on its two end points alone, so
+//! two triangles that share an edge can never both deny a ray that passes through it: a closed mesh
 //! has no holes.
 //!
 //! Departures from the paper, each argued where it stands:
@@ -104,7 +104,8 @@ pub fn intersect(ray: &ShearedRay, vertices: &[Vec3; 3], primitive: u32) -> Opti
     let c = ray.shear(&vertices[2]);
 
     // Rounding is monotone, so p ≥ q makes fl(p) ≥ fl(q): a difference of two rounded products has
-    // the right sign unless it is zero (or NaN, after an overflow), and neither zero nor NaN rejects.
+    // the right sign unless it is zero (or NaN, after an overflow), and neither zero nor NaN
+    // rejects.
     let u = c[0] * b[1] - c[1] * b[0];
     let v = a[0] * c[1] - a[1] * c[0];
     let w = b[0] * a[1] - b[1] * a[0];
@@ -150,8 +151,8 @@ fn decide(ray: &ShearedRay, sheared: [[f32; 3]; 3], primitive: u32) -> Option<Hi
 /// ```
 ///
 /// M is read off the sheared vertices, whose largest component is at least half of it: γ(16) covers
-/// twice γ(6) with room for the double-precision roundings. The slopes, too, are those of the rounded
-/// vertices: γ(16) is added to them.
+/// twice γ(6) with room for the double-precision roundings. The slopes, too, are those of the
+/// rounded vertices: γ(16) is added to them.
 /// It is what keeps a ray that starts on a huge triangle from hitting it again at a grazing angle.
 fn lies_in_front(sheared: [[f64; 3]; 3], weights: [f64; 3], forward: f64) -> bool {
     let rounding = f64::from(gamma(16));

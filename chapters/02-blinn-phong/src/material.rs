@@ -44,9 +44,9 @@ impl Material {
 }
 
 impl From<&MaterialRecord> for Material {
-    /// A mirror or a glass, which this chapter does not know, becomes a matt surface of its colour.
+    /// A mirror or a glass, which this chapter does not know, becomes a matte surface of its colour.
     fn from(record: &MaterialRecord) -> Self {
-        let matt =
+        let matte =
             |kd: [f32; 3]| Self { kd: Rgb::from_array(kd), map_kd: None, ks: Rgb::ZERO, ns: 0.0 };
         match record.surface {
             SurfaceKind::Diffuse => Self {
@@ -55,8 +55,8 @@ impl From<&MaterialRecord> for Material {
                 ks: Rgb::from_array(record.ks),
                 ns: record.ns,
             },
-            SurfaceKind::Mirror => matt(record.kr),
-            SurfaceKind::Glass => matt(record.kt),
+            SurfaceKind::Mirror => matte(record.kr),
+            SurfaceKind::Glass => matte(record.kt),
         }
     }
 }

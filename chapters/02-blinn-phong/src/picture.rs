@@ -17,7 +17,8 @@ impl Picture {
     }
 
     // ANCHOR: sample
-    /// The linear colour at (u, v): u runs to the right, v upwards, and 1 is the picture's whole size.
+    /// The linear colour at (u, v): u runs to the right, v upwards, and 1 is the picture's whole
+    /// size.
     ///
     /// Bilinear: texel centres lie at half-integers, and the four around the point are mixed in
     /// proportion to how near they are. Mixing happens in linear light; the sRGB codes of the file

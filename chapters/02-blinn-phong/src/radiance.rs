@@ -52,8 +52,8 @@ impl<'a, G: Intersect, P: Probe> Shader<'a, G, P> {
     /// I = I_a + Σ V (I_d + I_s)    over all lights
     /// ```
     ///
-    /// Equation 3, with what the review leaves out (errata 9): the sum over the lights, and V, which is
-    /// 1 if the light sees the point and 0 if not.
+    /// Equation 3, with what the review leaves out (errata 9): the sum over the lights, and V,
+    /// which is 1 if the light sees the point and 0 if not.
     #[must_use]
     pub fn incident_radiance(&self, ray: Ray) -> Rgb {
         self.probe.tell(|| format!("camera ray from {} along {}", ray.origin, ray.direction));
@@ -85,6 +85,7 @@ impl<'a, G: Intersect, P: Probe> Shader<'a, G, P> {
         let faces_away = surface.facing_normal().dot(arriving.direction) <= 0.0;
         if faces_away || arriving.strength == Rgb::ZERO {
             self.probe.count(Counter::ShadowRaysFacingAway, 1);
+            self.probe.tell(|| format!("no light comes to this side from {}", light.position));
             return Rgb::ZERO;
         }
 

@@ -1,4 +1,5 @@
-//! The reflection model: what a surface sends to the viewer of the light that a point source sends it.
+//! The reflection model: what a surface sends to the viewer of the light that a point source sends
+//! it.
 //!
 //! The model is Blinn's [Blinn77], the equations and their letters are the review's 1 and 2.
 
@@ -32,14 +33,14 @@ impl Arriving {
 }
 
 // ANCHOR: diffuse
-/// Diffuse reflection, equation 1: a matt surface looks equally bright from everywhere.
+/// Diffuse reflection, equation 1: a matte surface looks equally bright from everywhere.
 ///
 /// ```text
 /// I_d = k_d (I / r²) max(0, n·l)
 /// ```
 ///
-/// The cosine spreads a beam over the area it meets; Lambert's law. The 1/π of the Lambertian BRDF is
-/// folded into I (errata 8), so that the physical chapters give this light the intensity π I.
+/// The cosine spreads a beam over the area it meets; Lambert's law. The 1/π of the Lambertian BRDF
+/// is folded into I (errata 8), so that the physical chapters give this light the intensity π I.
 #[inline]
 #[must_use]
 pub fn diffuse(kd: Rgb, light: &Arriving, normal: Vec3) -> Rgb {
@@ -55,9 +56,9 @@ pub fn diffuse(kd: Rgb, light: &Arriving, normal: Vec3) -> Rgb {
 /// ```
 ///
 /// **h** is the normal that a mirror would need to send **l** to **v**; the larger p, the less a
-/// surface's tiny mirrors stray from **n**. The review omits the condition, and then shows highlights
-/// on surfaces that the light does not reach (errata 8). With **l** = −**v** there is no **h** and no
-/// highlight; for p = 0 it is constant, and still zero where n·h ≤ 0.
+/// surface's tiny mirrors stray from **n**. The review omits the condition, and then shows
+/// highlights on surfaces that the light does not reach (errata 8). With **l** = −**v** there is no
+/// **h** and no highlight; for p = 0 it is constant, and still zero where n·h ≤ 0.
 #[inline]
 #[must_use]
 pub fn specular(ks: Rgb, p: f32, light: &Arriving, normal: Vec3, wo: Vec3) -> Rgb {

@@ -149,8 +149,8 @@ fn a_term_that_is_not_drawn_asks_for_no_shadow() {
     assert_eq!(shadow_rays(&recorder), [0, 0, 1], "shadow rays without the highlight");
 }
 
-/// A triangle whose vertex normals lean far to one side: they shade it, but whether a light is in front
-/// is asked of the triangle itself.
+/// A triangle whose vertex normals lean far to one side: they shade it, but whether a light is in
+/// front is asked of the triangle itself.
 #[test]
 fn interpolated_normals_shade_and_geometric_ones_decide_visibility() {
     let obj = "v -1 1 1\nv 1 1 1\nv 0 1 -1\nvn 0.8 0.6 0\nf 1//1 2//1 3//1\n";
@@ -182,7 +182,8 @@ fn a_light_on_the_surface_leaves_no_trace() {
     }
 }
 
-/// Without a probe nothing else changes: the radiance of a watched render is that of an unwatched one.
+/// Without a probe nothing else changes: the radiance of a watched render is that of an unwatched
+/// one.
 #[test]
 fn watching_changes_no_bit() {
     let scene = scene(&(light([-4.0, 4.0, 0.0], 32.0) + &light([4.0, 4.0, 0.0], 64.0)));

@@ -24,18 +24,18 @@ pub struct Crossing {
 
 /// Knows what is on either side of a boundary.
 ///
-/// Where faces touch, a ray crosses all of them at once: from one block into the next there is no air
-/// between, and from one into another of the same material nothing happens at all. What is exact, and
-/// what is not:
+/// Where faces touch, a ray crosses all of them at once: from one block into the next there is no
+/// air between, and from one into another of the same material nothing happens at all. What is
+/// exact, and what is not:
 ///
-/// - Bodies beside, within or overlapping one another, and bodies whose faces lie on each other, whole
-///   or in part, are exact.
+/// - Bodies beside, within or overlapping one another, and bodies whose faces lie on each other,
+///   whole or in part, are exact.
 /// - Glass that lies on an opaque surface shows that surface, as if the two were glued together.
 /// - Two bodies of *one* material, the one inside the other, that share a face on the same side are
 ///   taken for one there. Two materials of the same index tell them apart.
 /// - An eye inside glass is found out by [`Boundaries::media_at`].
-/// - A body that is left without having been entered is open, or inside out: the ray then comes from
-///   its index into what is known to be around.
+/// - A body that is left without having been entered is open, or inside out: the ray then comes
+///   from its index into what is known to be around.
 pub struct Boundaries<'a> {
     scene: &'a Scene,
     surfaces: Vec<Surface>,
@@ -59,7 +59,8 @@ impl<'a> Boundaries<'a> {
 
     /// The opaque surface that the glass at `point` lies on, or else `point` itself.
     ///
-    /// It is seen where the glass is, so that rays that leave it start on the viewer's side of both.
+    /// It is seen where the glass is, so that rays that leave it start on the viewer's side of
+    /// both.
     #[must_use]
     pub fn opaque_contact(&self, ray: &Ray, point: SurfacePoint) -> SurfacePoint {
         let mut others = self.touching(ray, &point);
@@ -96,9 +97,9 @@ impl<'a> Boundaries<'a> {
 
     /// What is around the start of `ray`.
     ///
-    /// Far away, everything has been left. A body that the ray leaves on its way there without having
-    /// entered it was around the start, and the first one to be left was the innermost. No ray is traced
-    /// in a scene without glass.
+    /// Far away, everything has been left. A body that the ray leaves on its way there without
+    /// having entered it was around the start, and the first one to be left was the innermost. No
+    /// ray is traced in a scene without glass.
     #[must_use]
     pub fn media_at<G: Intersect>(&self, mut ray: Ray, geometry: &G) -> Media {
         if !self.surfaces.iter().any(|surface| matches!(surface, Surface::Glass { .. })) {
@@ -182,8 +183,9 @@ struct Meeting {
 
 /// Of each glass that a ray meets in one point, whether it shows its front, its back, or both.
 ///
-/// Both: one body ends here and another of the same glass begins, or the ray touches an edge. Nothing
-/// changes then. Twice the same side counts once: it is the edge between two faces of one body.
+/// Both: one body ends here and another of the same glass begins, or the ray touches an edge.
+/// Nothing changes then. Twice the same side counts once: it is the edge between two faces of one
+/// body.
 #[derive(Default)]
 struct Sides {
     met: [Side; Self::CAPACITY],

@@ -1,10 +1,10 @@
 //! Which faces of glass lie on other faces.
 //!
 //! Two blocks that touch share a place where a ray meets two faces at once. A search returns one of
-//! them, the lower index or the one that rounding puts first, and a ray that goes on from there starts
-//! beyond both: the other face is never met, and whoever counts the glasses a ray is in is wrong from
-//! there on. So the pairs of faces that lie on each other are found once, before the first ray. Most
-//! scenes have none, and then pay nothing for it while rendering.
+//! them, the lower index or the one that rounding puts first, and a ray that goes on from there
+//! starts beyond both: the other face is never met, and whoever counts the glasses a ray is in is
+//! wrong from there on. So the pairs of faces that lie on each other are found once, before the
+//! first ray. Most scenes have none, and then pay nothing for it while rendering.
 
 use glam::Vec3;
 use ray_casting::math::gamma;
@@ -22,8 +22,8 @@ impl Contacts {
     /// Finds all contacts of glass in a scene, in a time of about n log n.
     ///
     /// Triangles touch when they lie in one plane, spheres when they are the same, each within the
-    /// rounding of the file's numbers. Two faces of one material that look the same way do not count:
-    /// they are neighbours in a flat part of one body, or else one too many.
+    /// rounding of the file's numbers. Two faces of one material that look the same way do not
+    /// count: they are neighbours in a flat part of one body, or else one too many.
     #[must_use]
     pub fn find(scene: &Scene) -> Self {
         let is_glass: Vec<bool> = (scene.materials.iter())
@@ -46,8 +46,8 @@ impl Contacts {
         Self { pairs: finder.pairs }
     }
 
-    /// The faces that lie on this one, as primitive indices in ascending order. For an opaque face, those
-    /// of glass.
+    /// The faces that lie on this one, as primitive indices in ascending order. For an opaque face,
+    /// those of glass.
     #[inline]
     #[must_use]
     pub fn of(&self, face: u32) -> impl ExactSizeIterator<Item = u32> {
@@ -78,8 +78,8 @@ impl Finder<'_> {
         self.is_glass[self.scene.attributes.materials[face as usize] as usize]
     }
 
-    /// Compares the faces in `bounds`, halving it until few are left. A face that lies in both halves
-    /// goes to both.
+    /// Compares the faces in `bounds`, halving it until few are left. A face that lies in both
+    /// halves goes to both.
     fn search(&mut self, faces: Vec<(u32, Bounds)>, bounds: Bounds, halvings: u32) {
         if !faces.iter().any(|&(face, _)| self.is_glass(face)) {
             return;
@@ -144,9 +144,9 @@ fn vector_area([v0, v1, v2]: [Vec3; 3]) -> Vec3 {
 /// Whether two triangles lie in one plane, as far as the rounding of their corners lets one say.
 ///
 /// The corners of the smaller one are held against the plane of the larger one. Rounding a corner
-/// moves it by u |v| for each axis, and the plane by as much within the triangle; a smaller triangle
-/// that overlaps it reaches out of it by no more than its size, which may triple that. With the
-/// corner's own, and the roundings of this test, eight are enough.
+/// moves it by u |v| for each axis, and the plane by as much within the triangle; a smaller
+/// triangle that overlaps it reaches out of it by no more than its size, which may triple that.
+/// With the corner's own, and the roundings of this test, eight are enough.
 fn lie_in_one_plane(a: [Vec3; 3], b: [Vec3; 3]) -> bool {
     let a_is_larger = vector_area(a).length_squared() >= vector_area(b).length_squared();
     let (larger, smaller) = if a_is_larger { (a, b) } else { (b, a) };

@@ -13,9 +13,9 @@ use glam::Vec3;
 /// ωᵢ = 2 (n·ωₒ)/(n·n) n − ωₒ
 /// ```
 ///
-/// The part of ωₒ along **n** stays, the part across it turns round. **n** may lie on either side. Its
-/// n·n = 1 holds but for rounding; divided by it, in double precision, the length of ωₒ is kept to its
-/// last place however often it is reflected.
+/// The part of ωₒ along **n** stays, the part across it turns round. **n** may lie on either side.
+/// Its n·n = 1 holds but for rounding; divided by it, in double precision, the length of ωₒ is kept
+/// to its last place however often it is reflected.
 #[inline]
 #[must_use]
 pub fn reflect(wo: Vec3, normal: Vec3) -> Vec3 {

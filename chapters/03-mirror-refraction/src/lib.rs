@@ -1,8 +1,8 @@
 //! Chapter 3: what mirrors and glass show, by a function that calls itself.
 //!
-//! Brings the recursion ([`RayTracer`]), the laws of reflection and refraction ([`fresnel`]), and the
-//! book-keeping of what a ray is inside of ([`Media`]). Relies on chapter 1 for rays and on chapter 2
-//! for the light on diffuse surfaces.
+//! Brings the recursion ([`RayTracer`]), the laws of reflection and refraction ([`fresnel`]), and
+//! the book-keeping of what a ray is inside of ([`Media`]). Relies on chapter 1 for rays and on
+//! chapter 2 for the light on diffuse surfaces.
 
 pub mod fresnel;
 

@@ -20,8 +20,8 @@ pub struct Cutoff {
 /// Where the recursion stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// Most scattering events, that is reflections and refractions, between the eye and what it sees.
-    /// What lies beyond them is black.
+    /// Most scattering events, that is reflections and refractions, between the eye and what it
+    /// sees. What lies beyond them is black.
     depth: u32,
     /// A branch is not followed if its weight does not exceed this.
     cutoff: f32,
@@ -31,18 +31,18 @@ impl Limits {
     // ANCHOR: cutoff
     /// Half the smallest step between two codes of an 8-bit sRGB picture, in linear light.
     ///
-    /// Near black the sRGB curve is the line 12.92 x, so code 1 stands for 1/(255 · 12.92). A branch
-    /// of weight w adds at most w times the radiance it finds: where that is at most 1, the white of
-    /// the picture, a smaller weight cannot move a pixel by more than a rounding. A reflected highlight
-    /// that is brighter than white can.
+    /// Near black the sRGB curve is the line 12.92 x, so code 1 stands for 1/(255 · 12.92). A
+    /// branch of weight w adds at most w times the radiance it finds: where that is at most 1, the
+    /// white of the picture, a smaller weight cannot move a pixel by more than a rounding. A
+    /// reflected highlight that is brighter than white can.
     pub const CUTOFF: f32 = 0.5 / (255.0 * 12.92);
     // ANCHOR_END: cutoff
 
     /// The deepest recursion; its frames fit on the stack of any thread.
     pub const DEEPEST: u32 = 1000;
 
-    /// At most `depth` scattering events, [`Limits::DEEPEST`] if none or more are given, and no branch
-    /// whose weight is `cutoff` or less.
+    /// At most `depth` scattering events, [`Limits::DEEPEST`] if none or more are given, and no
+    /// branch whose weight is `cutoff` or less.
     #[must_use]
     pub fn new(depth: Option<u32>, cutoff: f32) -> Self {
         let depth = depth.map_or(Self::DEEPEST, |depth| depth.min(Self::DEEPEST));

@@ -2,13 +2,13 @@
 
 /// The glasses that a ray has entered and not left, the last one at the end.
 ///
-/// The medium around the ray is the last one entered; outside of all of them the index of refraction
-/// is 1. So a bubble of air is a body of index 1 within another, and a core of heavier glass is one
-/// of a higher index. Where two bodies overlap without one containing the other, the one that was
-/// entered last rules until it is left; leaving the other one changes nothing then.
+/// The medium around the ray is the last one entered; outside of all of them the index of
+/// refraction is 1. So a bubble of air is a body of index 1 within another, and a core of heavier
+/// glass is one of a higher index. Where two bodies overlap without one containing the other, the
+/// one that was entered last rules until it is left; leaving the other one changes nothing then.
 ///
-/// Bodies are told apart by their material. Two of the same material have the same index, so which of
-/// the two is left does not matter, as long as as many are left as were entered.
+/// Bodies are told apart by their material. Two of the same material have the same index, so which
+/// of the two is left does not matter, as long as as many are left as were entered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Media {
     entered: [Medium; Self::CAPACITY],
@@ -26,8 +26,8 @@ impl Media {
     pub const OUTSIDE: Self =
         Self { entered: [Medium { material: u32::MAX, ior: 1.0 }; Self::CAPACITY], len: 0 };
 
-    /// How many bodies within one another are told apart. Beyond them the outermost is forgotten, and
-    /// leaving it is then like leaving a body that was never entered.
+    /// How many bodies within one another are told apart. Beyond them the outermost is forgotten,
+    /// and leaving it is then like leaving a body that was never entered.
     const CAPACITY: usize = 8;
 
     // ANCHOR: media

@@ -67,8 +67,8 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
     /// ```
     ///
     /// The review's four cases, with what it leaves out (errata 12): Fresnel's F, total internal
-    /// reflection, where F = 1, and an end: [`RayTracer::follow`] says which rays are followed. A face
-    /// with the same index on both sides does nothing to the ray; the loop passes through it.
+    /// reflection, where F = 1, and an end: [`RayTracer::follow`] says which rays are followed. A
+    /// face with the same index on both sides does nothing to the ray; the loop passes through it.
     fn radiance(&self, mut ray: Ray, mut path: Path) -> Rgb {
         let mut passed = Rgb::ONE;
         for _ in 0..=self.boundaries.most_crossings() {
@@ -147,8 +147,8 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
     // ANCHOR: reflected
     /// V (I_d + I_s) of one light on a diffuse surface: equations 1 and 2 of chapter 2.
     ///
-    /// Glass throws the shadow of an opaque body: light does find ways through it, but a straight ray
-    /// to the light is none of them.
+    /// Glass throws the shadow of an opaque body: light does find ways through it, but a straight
+    /// ray to the light is none of them.
     fn reflected(&self, surface: &SurfacePoint, material: &Material, light: &PointLight) -> Rgb {
         if material.is_black() {
             self.probe.count(Counter::ShadowRaysNothingToReflect, 1);
@@ -158,6 +158,7 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
         let faces_away = surface.facing_normal().dot(arriving.direction) <= 0.0;
         if faces_away || arriving.strength == Rgb::ZERO {
             self.probe.count(Counter::ShadowRaysFacingAway, 1);
+            self.probe.tell(|| format!("no light comes to this side from {}", light.position));
             return Rgb::ZERO;
         }
 
@@ -186,8 +187,8 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
         if direction.dot(facing) > 0.0 { direction } else { reflect(surface.wo, facing) }
     }
 
-    /// What a boundary does to the viewer's ray: by the interpolated normal, unless that leads to the
-    /// wrong side of the surface.
+    /// What a boundary does to the viewer's ray: by the interpolated normal, unless that leads to
+    /// the wrong side of the surface.
     fn split(&self, surface: &SurfacePoint, eta: f32) -> Split {
         let facing = surface.facing_normal();
         let split = Split::new(surface.wo, self.scene.shading_normal(surface), eta);

@@ -115,8 +115,8 @@ impl BoundingVolume for Aabb {
     /// As [`clip`](Self::clip), with four planes at a time: the compiler turns each line into one
     /// instruction on four numbers.
     ///
-    /// The t of the planes through which the ray leaves are negative here, so that the last entry and
-    /// the first exit are both a maximum.
+    /// The t of the planes through which the ray leaves are negative here, so that the last entry
+    /// and the first exit are both a maximum.
     #[inline]
     fn clip_pair(pair: &AabbPair, query: &AabbQuery) -> [Interval; 2] {
         let mut last = [0.0, 0.0, f32::NEG_INFINITY, f32::NEG_INFINITY];

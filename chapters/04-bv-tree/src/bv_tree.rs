@@ -16,8 +16,8 @@ use crate::split::Builder;
 
 /// A binary tree whose nodes are enclosed by volumes of the kind `V`.
 ///
-/// It keeps its own copy of the primitives, in the order of its leaves: what is tested together lies
-/// together in memory.
+/// It keeps its own copy of the primitives, in the order of its leaves: what is tested together
+/// lies together in memory.
 pub struct BvTree<'p, V: BoundingVolume, P> {
     root: Option<Node<V>>,
     pairs: Vec<Pair<V>>,
@@ -44,7 +44,8 @@ impl<'p, V: BoundingVolume, P: Probe> BvTree<'p, V, P> {
             bounds: builder::bounds(&topology.items),
             probe,
         };
-        // Items of one leaf are of one kind: counting the kinds apart keeps a leaf's primitives together.
+        // Items of one leaf are of one kind: counting the kinds apart keeps a leaf's primitives
+        // together.
         let mut place = Vec::with_capacity(topology.items.len());
         for item in &topology.items {
             match geometry.sphere(item.primitive) {

@@ -34,7 +34,8 @@ enum Volume {
     Kdop26,
 }
 
-/// Renders with the search that the options ask for; a tiny scene is searched faster without a tree.
+/// Renders with the search that the options ask for; a tiny scene is searched faster without a
+/// tree.
 pub(crate) fn draw<P: Probe>(run: &Run<Extra>, probe: &P) -> Result<Finished, Error> {
     let scene = run.load(Scene::load)?;
     let (geometry, builder) = (&scene.geometry, run.options.stage.builder);

@@ -38,8 +38,8 @@ fn largest_triangle(items: &[Item], geometry: &Geometry) -> Option<[DVec3; 3]> {
     best.1
 }
 
-/// The longest edge, which suits a sliver, and the shortest: in half of a rectangle, the longest is the
-/// diagonal, the shortest a side.
+/// The longest edge, which suits a sliver, and the shortest: in half of a rectangle, the longest is
+/// the diagonal, the shortest a side.
 fn extreme_edges([a, b, c]: [DVec3; 3]) -> [DVec3; 2] {
     let mut edges = [b - a, c - b, a - c];
     edges.sort_by(|e, f| e.length_squared().total_cmp(&f.length_squared()));
@@ -75,10 +75,11 @@ fn frame(first: DVec3, second: DVec3) -> [Vec3; 3] {
     [first, third.cross(first), third].map(|axis| axis.as_vec3())
 }
 
-/// The eigenvectors of a symmetric matrix, as columns: cyclic Jacobi rotations [GolubVanLoan13] §8.5.
+/// The eigenvectors of a symmetric matrix, as columns: cyclic Jacobi rotations [GolubVanLoan13]
+/// §8.5.
 ///
-/// Each rotation by φ, with tan 2φ = 2 a_pq / (a_qq − a_pp), makes one pair of off-diagonal elements
-/// zero, and the sum of their squares shrinks.
+/// Each rotation by φ, with tan 2φ = 2 a_pq / (a_qq − a_pp), makes one pair of off-diagonal
+/// elements zero, and the sum of their squares shrinks.
 fn eigenvectors(mut matrix: DMat3) -> DMat3 {
     let mut vectors = DMat3::IDENTITY;
     for _ in 0..SWEEPS {

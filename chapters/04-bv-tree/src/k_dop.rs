@@ -62,8 +62,8 @@ impl<const N: usize> BoundingVolume for KDop<N> {
     }
 
     // ANCHOR: clip
-    /// n·**o** and n·**d** are sums that can cancel: double precision keeps their relative error at u.
-    /// A padding of E along each axis is one of E (|n_x| + |n_y| + |n_z|) along n.
+    /// n·**o** and n·**d** are sums that can cancel: double precision keeps their relative error at
+    /// u. A padding of E along each axis is one of E (|n_x| + |n_y| + |n_z|) along n.
     fn query(ray: &Ray, reach: f32) -> Self::Query {
         let (o, d) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
         Self::directions().map(|n| {

@@ -1,10 +1,10 @@
 //! Where in memory the nodes of a tree lie.
 //!
-//! A ray goes down some twenty levels and touches one pair of children on each. In the order in which
-//! the tree was built, nearly every step lands in another page of memory, and on large scenes waiting
-//! for memory is most of the time. Here pairs that follow each other on a likely way down share a
-//! page: each page is filled from its top pair by always adding the child pair whose parent has the
-//! largest area, the one that a ray most likely visits next.
+//! A ray goes down some twenty levels and touches one pair of children on each. In the order in
+//! which the tree was built, nearly every step lands in another page of memory, and on large scenes
+//! waiting for memory is most of the time. Here pairs that follow each other on a likely way down
+//! share a page: each page is filled from its top pair by always adding the child pair whose parent
+//! has the largest area, the one that a ray most likely visits next.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;

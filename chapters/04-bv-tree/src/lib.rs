@@ -1,8 +1,8 @@
 //! Chapter 4: do not look at what a ray cannot hit.
 //!
 //! Brings [`BoundingVolume`] with its three kinds [`Aabb`], [`Obb`] and [`KDop`], and the
-//! [`BvTree`] over any of them. Relies on chapter 1 alone; its binary runs the recursion of chapter 3
-//! over the tree.
+//! [`BvTree`] over any of them. Relies on chapter 1 alone; its binary runs the recursion of chapter
+//! 3 over the tree.
 
 mod aabb;
 mod bounding_volume;

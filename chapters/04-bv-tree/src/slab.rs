@@ -5,20 +5,20 @@ use ray_casting::math::gamma;
 
 /// A ray as one slab lo ≤ n·p ≤ hi wants it.
 ///
-/// With o = n·**o** and d = n·**d**, the ray crosses the plane n·p = c at t = (c − o) / d. Four steps
-/// make the interval that [`SlabQuery::clip`] computes contain every t at which a primitive between
-/// the planes can report a hit:
+/// With o = n·**o** and d = n·**d**, the ray crosses the plane n·p = c at t = (c − o) / d. Four
+/// steps make the interval that [`SlabQuery::clip`] computes contain every t at which a primitive
+/// between the planes can report a hit:
 ///
 /// 1. The slab is widened by a padding E to [lo − E, hi + E], for what the primitive's own test
-///    rounded. It costs nothing: lo − E − o = lo − (o + E), so the origin moves instead, once a ray.
-///    The sum is rounded away from o.
-/// 2. c − o, 1/d and their product are rounded: t is off by a factor within 1 ± γ(3). The plane that
-///    the ray enters through is brought nearer by the factor 1 − γ(6), the other moved away by
+///    rounded. It costs nothing: lo − E − o = lo − (o + E), so the origin moves instead, once a
+///    ray. The sum is rounded away from o.
+/// 2. c − o, 1/d and their product are rounded: t is off by a factor within 1 ± γ(3). The plane
+///    that the ray enters through is brought nearer by the factor 1 − γ(6), the other moved away by
 ///    1 + γ(6): enough for the rounding of the hit's own t, too. (A negative t moves the wrong way,
 ///    but then the true one is negative as well, and nothing behind the origin is asked for.)
-/// 3. For d = 0 the ray never crosses. 1/d is ∞ and t = ±∞ says on which side of each plane it runs.
-///    Only an origin exactly on a plane gives 0 · ∞ = NaN, and NaN constrains nothing; at the plane
-///    of entry not even that occurs, since there 1/d is at most the largest finite number.
+/// 3. For d = 0 the ray never crosses. 1/d is ∞ and t = ±∞ says on which side of each plane it
+///    runs. Only an origin exactly on a plane gives 0 · ∞ = NaN, and NaN constrains nothing; at the
+///    plane of entry not even that occurs, since there 1/d is at most the largest finite number.
 /// 4. That also keeps the entry a lower bound when 1/d overflows for a tiny d.
 #[derive(Clone, Copy, Debug)]
 pub struct SlabQuery {

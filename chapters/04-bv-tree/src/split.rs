@@ -143,7 +143,8 @@ struct Binning {
 }
 
 impl Binning {
-    /// An axis along which no two centres differ has the scale 0: all items fall into its first bin.
+    /// An axis along which no two centres differ has the scale 0: all items fall into its first
+    /// bin.
     fn new(centers: &Aabb) -> Self {
         let size = (centers.max - centers.min).to_array();
         Self {

@@ -37,8 +37,8 @@ pub(super) fn exponents() -> Drawing {
 /// The angles between the directions to the eye and to the lights, in degrees.
 const ANGLES: [f32; 3] = [20.0, 65.0, 110.0];
 
-/// A ball under lights at growing angles to the eye: as the stage draws it, with half of **l** + **v**
-/// in place of a unit vector, and with Phong's mirrored direction.
+/// A ball under lights at growing angles to the eye: as the stage draws it, with half of **l** +
+/// **v** in place of a unit vector, and with Phong's mirrored direction.
 pub(super) fn halfway() -> Drawing {
     let mut scene = balls(&[64.0]);
     for (i, angle) in ANGLES.into_iter().enumerate() {

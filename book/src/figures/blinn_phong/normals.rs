@@ -76,8 +76,8 @@ pub(super) fn normals() -> Drawing {
     Picture::side_by_side(&panels.each_ref().map(Picture::from), 16).into()
 }
 
-/// The lit rim of the smooth ball, enlarged: with the side that is seen decided by the smooth normal,
-/// and as the stage draws it.
+/// The lit rim of the smooth ball, enlarged: with the side that is seen decided by the smooth
+/// normal, and as the stage draws it.
 pub(super) fn rim() -> Drawing {
     let scene = coarse_ball();
     let geometry = tree(&scene);

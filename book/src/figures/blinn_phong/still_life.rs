@@ -93,8 +93,8 @@ pub(super) fn draw_terms(
     expose(settings, |point, _| shader.incident_radiance(scene.camera.ray(point)))
 }
 
-/// Equation 3 with another idea of what one light contributes: `reflected` is given the surface, its
-/// material and the light, and has to see to visibility itself.
+/// Equation 3 with another idea of what one light contributes: `reflected` is given the surface,
+/// its material and the light, and has to see to visibility itself.
 pub(super) fn draw_otherwise(
     scene: &Scene,
     geometry: &impl Intersect,

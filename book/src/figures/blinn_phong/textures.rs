@@ -19,8 +19,8 @@ pub(super) fn whitted() -> Drawing {
 /// Three texels around the corner of four tiles, on each side.
 const WINDOW: f32 = 6.0;
 
-/// The corner of four tiles, enlarged: mixed in linear light; mixed as codes and then decoded; codes
-/// taken for light.
+/// The corner of four tiles, enlarged: mixed in linear light; mixed as codes and then decoded;
+/// codes taken for light.
 pub(super) fn codes() -> Drawing {
     let scene = scene("whitted");
     let texture = &textures(&scene)[0];

@@ -122,8 +122,8 @@ pub(super) fn by_hand() -> Drawing {
     table.into()
 }
 
-/// (1 − 2⁻²⁴) to the power 2²⁴, which is e⁻¹ to seven digits: by squaring in single precision, and by
-/// the stage's way.
+/// (1 − 2⁻²⁴) to the power 2²⁴, which is e⁻¹ to seven digits: by squaring in single precision, and
+/// by the stage's way.
 pub(super) fn power() -> Drawing {
     let (x, squarings) = (1.0_f32.next_down(), 24);
     let single = (0..squarings).fold(x, |square, _| square * square);

@@ -52,7 +52,8 @@ impl Workload {
         self.questions.iter().map(answer).sum()
     }
 
-    /// What a ray of [`Workload::record`] costs with boxes; for meshes that are built over only once.
+    /// What a ray of [`Workload::record`] costs with boxes; for meshes that are built over only
+    /// once.
     pub(crate) fn box_cost(scene: &Scene, width: u32) -> Cost {
         let recorder = Recorder::new();
         let tree = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &recorder);

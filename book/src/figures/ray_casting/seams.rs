@@ -121,8 +121,8 @@ pub(super) fn seams() -> Drawing {
 
 /// Marks the points of edges that the eye sees, and that a ray by `search` passes through.
 ///
-/// Outlines do not count: a ray aimed at one may well pass beside the ball. Both triangles of an edge
-/// must turn to the eye.
+/// Outlines do not count: a ray aimed at one may well pass beside the ball. Both triangles of an
+/// edge must turn to the eye.
 fn with_holes(
     mut picture: Picture,
     ball: &Geometry,

@@ -1,7 +1,7 @@
 //! One suite that every implementation of [`Intersect`] passes.
 //!
-//! The oracle is [`LinearSearch`]: the same primitive, the same t and the same weights, bit for bit,
-//! on random scenes, on meshes whose vertices and edges are aimed at, and on degenerate input.
+//! The oracle is [`LinearSearch`]: the same primitive, the same t and the same weights, bit for
+//! bit, on random scenes, on meshes whose vertices and edges are aimed at, and on degenerate input.
 
 mod geometries;
 mod rays;

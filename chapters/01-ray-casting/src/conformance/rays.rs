@@ -27,8 +27,8 @@ pub(super) fn all(geometry: &Geometry) -> Vec<Ray> {
         rays.push(Ray::new(origin, (target - origin).normalize_or(Vec3::X)));
         rays.push(Ray::new(origin, (target.midpoint(other) - origin).normalize_or(Vec3::Y)));
         rays.push(Ray::new(target, (other - target).normalize_or(Vec3::Z)));
-        // From far away and from close by: a direction is rounded, and so the ray passes its target at a
-        // distance that grows with the way.
+        // From far away and from close by: a direction is rounded, and so the ray passes its target
+        // at a distance that grows with the way.
         for target in [target, other] {
             let away = pick(&DISTANCES, &mut sampler) * size * in_cube(&mut sampler);
             rays.push(Ray::new(target + away, (-away).normalize_or(Vec3::Z)));

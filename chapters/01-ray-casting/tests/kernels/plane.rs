@@ -25,9 +25,9 @@ fn a_plane_is_hit_from_above_and_neither_along_it_nor_within_it() {
     assert_eq!(t(Vec3::ZERO, Vec3::NEG_Y), None, "downwards from a point of it");
 }
 
-/// accuracy P4: the sheared vertices are off by γ(6) of the plane's size, and the slope turns that into
-/// 1/|cos θ| times as much of t. Where that bound reaches t itself, at a height of a millionth of the
-/// plane's size, the plane is not seen any more.
+/// accuracy P4: the sheared vertices are off by γ(6) of the plane's size, and the slope turns that
+/// into 1/|cos θ| times as much of t. Where that bound reaches t itself, at a height of a millionth
+/// of the plane's size, the plane is not seen any more.
 #[test]
 fn a_grazing_ray_is_as_accurate_as_its_slope_allows() {
     for k in 1..=5 {

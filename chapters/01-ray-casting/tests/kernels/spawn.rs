@@ -63,8 +63,8 @@ fn the_error_box_of_a_point_reaches_the_surface() {
     }
 }
 
-/// accuracy S17: from the outer of two close spheres, a ray reaches the inner one; one that starts by
-/// a constant of 10⁻³ passes through it.
+/// accuracy S17: from the outer of two close spheres, a ray reaches the inner one; one that starts
+/// by a constant of 10⁻³ passes through it.
 #[test]
 fn a_ray_does_not_jump_over_what_lies_close_by() {
     let spheres = [1.0, 1.0 + 4e-5].map(|radius| Sphere { center: Vec3::ZERO, radius });

@@ -169,8 +169,8 @@ fn a_hit_is_no_farther_than_the_farthest_corner() {
     assert!(hits > 10_000, "only {hits} rays hit");
 }
 
-/// accuracy T17: every number here is a small binary fraction, so nothing is rounded, and corners and
-/// edges are hit exactly.
+/// accuracy T17: every number here is a small binary fraction, so nothing is rounded, and corners
+/// and edges are hit exactly.
 #[test]
 fn all_axes_and_signs_are_alike() {
     const ORDERS: [[usize; 3]; 6] =

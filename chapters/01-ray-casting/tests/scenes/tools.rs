@@ -9,7 +9,8 @@ use workbench::Unwatched;
 const CAMERA: &str = "[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\nfov = 40\nsize = [4, 3]\n\
                       [materials.white]\nkd = [1, 1, 1]\n[materials.lamp]\nke = [1, 2, 4]\n";
 
-/// The scene with a camera, the materials `white` and `lamp`, and `records`; beside it the mesh `a.obj`.
+/// The scene with a camera, the materials `white` and `lamp`, and `records`; beside it the mesh
+/// `a.obj`.
 pub(crate) fn scene_with_mesh(records: &str, obj: &str) -> Scene {
     let folder = tempfile::tempdir().expect("a temporary folder");
     fs::write(folder.path().join("a.obj"), obj).expect("the mesh is written");

@@ -147,7 +147,8 @@ fn a_body_of_air_in_air_is_invisible() {
     assert!(count == 0, "{count} pixels differ, by up to {worst}");
 }
 
-/// A block on the floor shows the floor, which faces the ray that is inside; both ways of numbering.
+/// A block on the floor shows the floor, which faces the ray that is inside; both ways of
+/// numbering.
 #[test]
 fn glass_that_stands_on_the_floor_hides_nothing() {
     let floor = |scene: &mut Scene| {

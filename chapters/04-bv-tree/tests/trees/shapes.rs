@@ -118,7 +118,8 @@ fn the_largest_numbers_make_a_tree() {
     }
 }
 
-/// accuracy B13: rays along the common faces of many boxes, through triangles' edges on those faces.
+/// accuracy B13: rays along the common faces of many boxes, through triangles' edges on those
+/// faces.
 #[test]
 fn a_ray_in_the_faces_of_boxes_finds_the_edges_there() {
     let tent = |x: f32, y: f32, z: f32| {

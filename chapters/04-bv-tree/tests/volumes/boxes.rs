@@ -1,5 +1,5 @@
-//! Axis-aligned boxes, case by case. They are widened on purpose, by a millionth of their reach: the
-//! intervals contain the exact ones, and not much more.
+//! Axis-aligned boxes, case by case. They are widened on purpose, by a millionth of their reach:
+//! the intervals contain the exact ones, and not much more.
 
 use bv_tree::Aabb;
 use glam::{Vec3, vec3};

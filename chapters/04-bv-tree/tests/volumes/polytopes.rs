@@ -44,8 +44,8 @@ fn random_content(sampler: &mut Sampler) -> Geometry {
     triangles(&corners)
 }
 
-/// accuracy K1, K2. The 6-DOP is rounded outward once more than the box, so it may be met by a ray that
-/// touches the box's edge from outside, but not the other way round.
+/// accuracy K1, K2. The 6-DOP is rounded outward once more than the box, so it may be met by a ray
+/// that touches the box's edge from outside, but not the other way round.
 #[test]
 fn polytopes_are_nested_and_the_first_is_the_box() {
     let (mut differ, mut met) = (0, [0; 5]);

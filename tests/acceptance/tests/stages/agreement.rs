@@ -22,7 +22,8 @@ fn threads_never_change_the_picture_and_the_seed_always_does() {
     }
 }
 
-/// accuracy V14: neither what encloses the nodes of a tree nor how it is divided shows in the picture.
+/// accuracy V14: neither what encloses the nodes of a tree nor how it is divided shows in the
+/// picture.
 #[test]
 fn volumes_and_builders_never_change_the_picture() {
     let folder = Folder::with(&[]);

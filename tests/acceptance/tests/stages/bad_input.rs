@@ -4,7 +4,8 @@ use acceptance::{Folder, STAGES};
 
 use crate::scenes::{BALL, HEAD, MESH, scene};
 
-/// Every stage refuses the scene `s.toml` of `folder` with status 1 and a message that has these parts.
+/// Every stage refuses the scene `s.toml` of `folder` with status 1 and a message that has these
+/// parts.
 fn check(case: &str, folder: &Folder, parts: &[&str]) {
     let files = folder.files();
     for stage in STAGES {
@@ -103,7 +104,8 @@ fn a_mesh_that_is_wrong() {
     }
 }
 
-/// The header of a PNG file that claims 10⁶ × 10⁶ pixels; its checksum was computed by a second program.
+/// The header of a PNG file that claims 10⁶ × 10⁶ pixels; its checksum was computed by a second
+/// program.
 fn huge_texture() -> Vec<u8> {
     let mut file =
         b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\x0f\x42\x40\0\x0f\x42\x40\x08\x02\0\0\0".to_vec();
