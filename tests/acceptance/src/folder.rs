@@ -65,6 +65,10 @@ impl Folder {
     ///
     /// # Panics
     /// If it ends with another status, or speaks of a panic.
+    #[expect(
+        clippy::must_use_candidate,
+        reason = "the files that it writes may be all that matters"
+    )]
     pub fn run(&self, stage: &str, arguments: &str, status: i32) -> Output {
         let output = self.command(stage, arguments).output().expect("the stage starts");
         let message = message(&output);
@@ -75,6 +79,10 @@ impl Folder {
     }
 
     /// Likewise, and returns what stands on standard error.
+    ///
+    /// # Panics
+    /// As [`run`](Self::run).
+    #[must_use]
     pub fn complaint(&self, stage: &str, arguments: &str, status: i32) -> String {
         message(&self.run(stage, arguments, status))
     }

@@ -49,7 +49,7 @@ pub(super) fn table() -> Drawing {
     for (name, min, max) in boxes {
         let inner = Aabb { min, max };
         let met = lines.iter().filter(|line| enters(&inner, line)).count();
-        let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+        let percent = |share: f64| format!("{:.1}\u{a0}%", 100.0 * share);
         table.row([
             name.to_owned(),
             percent(f64::from(inner.surface_area() / cube.surface_area())),

@@ -62,7 +62,7 @@ pub(super) fn table() -> Drawing {
             count(row.linear.primitive.round() as u64),
             format!("{:.1}", row.tree.volume),
             format!("{:.1}", row.tree.primitive),
-            format!("{saved:.1} %"),
+            format!("{saved:.1}\u{a0}%"),
         ]);
     }
     table.into()

@@ -96,7 +96,8 @@ pub(super) fn table() -> Drawing {
                 entered::<KDop<9>>(&groups, &geometry),
                 entered::<KDop<13>>(&groups, &geometry),
             ];
-            let shares = counts.map(|n| format!("{:.0} %", 100.0 * (n - hits) as f64 / n as f64));
+            let shares =
+                counts.map(|n| format!("{:.0}\u{a0}%", 100.0 * (n - hits) as f64 / n as f64));
             table.row([name.to_owned(), size.to_string()].into_iter().chain(shares));
         }
     }

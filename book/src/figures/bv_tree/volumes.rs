@@ -36,7 +36,7 @@ fn table(cell: impl Fn(&Workload, &Volume, &Cost) -> String) -> Drawing {
 
 /// Volume tests and primitive tests a ray.
 pub(super) fn tests() -> Drawing {
-    table(|_, _, cost| format!("{:.1} + {:.1}", cost.volume, cost.primitive))
+    table(|_, _, cost| format!("{:.1}\u{a0}+\u{a0}{:.1}", cost.volume, cost.primitive))
 }
 
 /// Slabs a ray: what the volume tests come to if each looks at all of its slabs.

@@ -28,6 +28,9 @@ pub(super) enum Mistake {
     InTheOpen,
 }
 
+/// Less than the stage's depth, because no branch is cut for its small weight.
+const DEPTH: u32 = 6;
+
 /// What the light of a NaN is shown as: a red that no number of good samples can hide.
 const MARK: Rgb = Rgb::new(1e6, 0.0, 0.0);
 
@@ -39,7 +42,7 @@ struct Tracer<'a> {
     mistake: Mistake,
 }
 
-/// The picture of a scene at the stage's depth; what is not a number is red.
+/// The picture of a scene at [`DEPTH`]; what is not a number is red.
 pub(super) fn draw(scene: &Scene, mistake: Mistake, settings: &FilmSettings) -> Image {
     let textures = Texture::load_all(scene).unwrap_or_else(|error| panic!("{error}"));
     let geometry = LinearSearch::new(&scene.geometry, &Unwatched);
@@ -58,7 +61,7 @@ pub(super) fn draw(scene: &Scene, mistake: Mistake, settings: &FilmSettings) -> 
 
 impl Tracer<'_> {
     fn radiance(&self, ray: Ray, events: u32, media: Media) -> Rgb {
-        if events > mirror_refraction::STAGE.depth.unwrap_or(0) {
+        if events > DEPTH {
             return Rgb::ZERO;
         }
         let Some(hit) = self.geometry.intersect(&ray) else { return self.scene.background };
@@ -133,7 +136,7 @@ impl Tracer<'_> {
 #[cfg(test)]
 mod tests {
     use super::super::stage::{self, PANEL};
-    use super::{Mistake, draw};
+    use super::{DEPTH, Mistake, draw};
     use mirror_refraction::Limits;
     use workbench::{FilmSettings, Unwatched};
 
@@ -143,7 +146,7 @@ mod tests {
         let settings = FilmSettings { size: [60, 40], ..PANEL };
         for name in ["whitted", "nested-glass", "glass-slab"] {
             let scene = stage::scene(name);
-            let limits = Limits::new(mirror_refraction::STAGE.depth, 0.0);
+            let limits = Limits::new(Some(DEPTH), 0.0);
             let expected = stage::draw(&scene, limits, &settings, &Unwatched);
             let drawn = draw(&scene, Mistake::Nothing, &settings);
             let pairs = expected.pixels.iter().zip(&drawn.pixels);

@@ -45,15 +45,15 @@ pub(super) fn whitted() -> Drawing {
 }
 
 pub(super) fn nested_glass() -> Drawing {
-    draw_as_is("nested-glass", [320, 200], 16)
+    draw_as_is("nested-glass", [320, 200], 4)
 }
 
 pub(super) fn touching_glass() -> Drawing {
-    draw_as_is("touching-glass", [320, 200], 16)
+    draw_as_is("touching-glass", [320, 200], 4)
 }
 
 pub(super) fn glass_slab() -> Drawing {
-    draw_as_is("glass-slab", [320, 240], 16)
+    draw_as_is("glass-slab", [320, 240], 4)
 }
 
 pub(super) fn two_mirrors() -> Drawing {

@@ -6,7 +6,7 @@ use rayon::ThreadPoolBuilder;
 use crate::tools::{BUILDERS, rays, soup, tests, tree};
 
 /// Enough triangles that every step is divided among threads.
-const TRIANGLES: u64 = 40_000;
+const TRIANGLES: u64 = 20_000;
 
 /// The shape of a tree and what its rays test, when `threads` build it.
 fn built_by<V: BoundingVolume>(threads: usize) -> Vec<(Shape, [u64; 2])> {
@@ -17,7 +17,7 @@ fn built_by<V: BoundingVolume>(threads: usize) -> Vec<(Shape, [u64; 2])> {
         BUILDERS
             .map(|builder| {
                 let shape = tree::<V>(&geometry, builder).shape();
-                (shape, tests::<V>(&geometry, builder, rays(2000)))
+                (shape, tests::<V>(&geometry, builder, rays(500)))
             })
             .to_vec()
     })

@@ -5,4 +5,5 @@ mod misses;
 mod oriented;
 mod pairs;
 mod polytopes;
+mod slabs;
 mod tools;
