@@ -40,7 +40,7 @@ pub enum Counter {
     CameraRays,
     /// Rays that only ask whether something stands in the way of a light.
     ShadowRays,
-    /// Rays that leave a mirror or the outside of glass by reflection.
+    /// Rays that a mirror or a boundary of glass, seen from either side, reflects.
     ReflectionRays,
     /// Rays that pass through a surface.
     RefractionRays,
@@ -55,7 +55,7 @@ pub enum Counter {
     ShadowRaysFacingAway,
     /// Shadow rays not traced, because the surface reflects nothing of that light.
     ShadowRaysNothingToReflect,
-    /// Branches of the recursion not followed, because they cannot change an 8-bit pixel.
+    /// Branches of the recursion not followed, because each alone cannot change an 8-bit pixel.
     BranchesBelowThreshold,
 }
 

@@ -33,8 +33,8 @@ impl Limits {
     ///
     /// Near black the sRGB curve is the line 12.92 x, so code 1 stands for 1/(255 · 12.92). A
     /// branch of weight w adds at most w times the radiance it finds: where that is at most 1, the
-    /// white of the picture, a smaller weight cannot move a pixel by more than a rounding. A
-    /// reflected highlight that is brighter than white can.
+    /// white of the picture, a smaller weight cannot move a pixel by more than a rounding. Many
+    /// branches together can, and so can a reflected highlight that is brighter than white.
     pub const CUTOFF: f32 = 0.5 / (255.0 * 12.92);
     // ANCHOR_END: cutoff
 

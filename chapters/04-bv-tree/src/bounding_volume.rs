@@ -23,7 +23,7 @@ pub trait BoundingVolume: Copy + Send + Sync + 'static {
     /// Prepares `ray`. `reach` is the largest |component| of (point of the tree − ray origin).
     fn query(ray: &Ray, reach: f32) -> Self::Query;
 
-    /// The t ≥ 0 for which the ray is inside; empty if it misses.
+    /// The t ≥ 0 for which the ray is inside; empty if it misses. No tree holds an empty volume.
     ///
     /// Conservative: whatever was rounded, here or in the primitive's own test, a primitive inside
     /// that reports a hit at t makes this interval contain t.

@@ -17,8 +17,9 @@ use ray_casting::math::gamma;
 ///    1 + γ(6): enough for the rounding of the hit's own t, too. (A negative t moves the wrong way,
 ///    but then the true one is negative as well, and nothing behind the origin is asked for.)
 /// 3. For d = 0 the ray never crosses. 1/d is ∞ and t = ±∞ says on which side of each plane it
-///    runs. Only an origin exactly on a plane gives 0 · ∞ = NaN, and NaN constrains nothing; at the
-///    plane of entry not even that occurs, since there 1/d is at most the largest finite number.
+///    runs. Only an origin exactly on a plane gives 0 · ∞ = NaN, and [`overlap`] lets NaN constrain
+///    nothing; at the plane of entry not even that occurs, since there 1/d is at most the largest
+///    finite number.
 /// 4. That also keeps the entry a lower bound when 1/d overflows for a tiny d.
 #[derive(Clone, Copy, Debug)]
 pub struct SlabQuery {
@@ -60,13 +61,17 @@ impl SlabQuery {
     }
 
     // ANCHOR: clip
-    /// The t for which the ray is inside the slab [`slab.min`, `slab.max`]. Ends may be NaN.
+    /// The t for which the ray is inside the slab [`slab.min`, `slab.max`]. The end may be NaN.
     #[inline]
     #[must_use]
     pub fn clip(&self, slab: Interval) -> Interval {
-        let a = (slab.min - self.origin_for_min) * self.inverse_for_min;
-        let b = (slab.max - self.origin_for_max) * self.inverse_for_max;
-        Interval::new(smaller(a, b), larger(a, b))
+        let at_min = (slab.min - self.origin_for_min) * self.inverse_for_min;
+        let at_max = (slab.max - self.origin_for_max) * self.inverse_for_max;
+        if self.is_backward() {
+            Interval::new(at_max, at_min)
+        } else {
+            Interval::new(at_min, at_max)
+        }
     }
     // ANCHOR_END: clip
 }
