@@ -38,4 +38,4 @@ pub use rgb::Rgb;
 pub use scene::Scene;
 pub use sphere::Sphere;
 pub use stage::{Extra, STAGE};
-pub use surface_point::SurfacePoint;
+pub use surface_point::{EndPoint, SurfacePoint};

@@ -61,6 +61,20 @@ pub fn power(x: f32, p: f32) -> f32 {
     product as f32
 }
 
+/// xᵖ in double precision, for x in [0, 1] and any p > 0.
+#[inline]
+#[must_use]
+pub fn power_f64(x: f64, p: f64) -> f64 {
+    libm::pow(x, p)
+}
+
+/// 2ˣ in double precision.
+#[inline]
+#[must_use]
+pub fn exp2_f64(x: f64) -> f64 {
+    libm::exp2(x)
+}
+
 /// u, half the distance from 1 to the next `f32`: no rounding changes a result by a larger share.
 pub const UNIT_ROUNDOFF: f32 = f32::EPSILON / 2.0;
 

@@ -52,6 +52,11 @@ impl Scene {
         SceneBuilder::from_file(SceneFile::load(path)?)
     }
 
+    /// The point lights of the file, without the stand-ins for lamps.
+    pub fn point_lights(&self) -> impl Iterator<Item = &PointLight> {
+        self.lights.iter().filter(|light| light.lamp.is_empty())
+    }
+
     /// Everything that all kinds of shading need to know about a hit.
     ///
     /// Position and normal are computed in double precision, once per nearest hit: the position is

@@ -1,6 +1,6 @@
 //! What is known about the point a ray has met, and how to leave it.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::hit::Hit;
 use crate::interval::Interval;
@@ -60,37 +60,92 @@ impl SurfacePoint {
         Ray { origin, direction: path / distance, extent: Interval::new(0.0, distance) }
     }
 
-    // ANCHOR: offset
+    /// A ray that leaves for the surface that `end` lies on, and ends just before it.
+    ///
+    /// It starts on the side of this surface on which the target lies, and ends on the side of the
+    /// other one from which it comes, so neither of the two is in its own way. The length of a
+    /// rounded path is off by γ(4) of it, and a hit's t by its own rounding: γ(8) of the length is
+    /// left out at the end, so that what lies just behind the target is not met either.
+    #[inline]
+    #[must_use]
+    pub fn spawn_toward(&self, end: &EndPoint) -> Ray {
+        let origin = self.offset_origin(end.position - self.position);
+        let path = end.offset(origin) - origin;
+        let distance = path.length();
+        let reach = distance * (1.0 - gamma(8));
+        Ray { origin, direction: path / distance, extent: Interval::new(0.0, reach) }
+    }
+
     /// An origin that lies surely on the side of the surface to which `direction` points.
-    ///
-    /// ```text
-    /// o = p ± δ n,   δ = Σ |nᵢ| eᵢ
-    /// ```
-    ///
-    /// The exact point lies in the box **p** ± **e**, and no corner of that box is farther from
-    /// **p** along **n** than δ. Adding δ **n** rounds once more, so each component is moved on to
-    /// the next float away from **p** [PBR4] §6.8.6. No constant is involved: the step is a few
-    /// units in the last place of **p**, at every scale. [`offset_by_epsilon`] is what it replaces.
     #[inline]
     fn offset_origin(&self, direction: Vec3) -> Vec3 {
-        let n = self.geometric_normal;
-        let distance = n.abs().dot(self.position_error);
-        let side = if direction.dot(n) < 0.0 { -1.0 } else { 1.0 };
-        let offset = side * distance * n;
-
-        let origin = (self.position + offset).to_array();
-        let offset = offset.to_array();
-        Vec3::from_array([0, 1, 2].map(|i| {
-            if offset[i] > 0.0 {
-                origin[i].next_up()
-            } else if offset[i] < 0.0 {
-                origin[i].next_down()
-            } else {
-                origin[i]
-            }
-        }))
+        offset(self.position, self.position_error, self.geometric_normal, direction)
     }
-    // ANCHOR_END: offset
+}
+
+// ANCHOR: offset
+/// A point that lies surely on the side of the surface to which `direction` points.
+///
+/// ```text
+/// o = p ± δ n,   δ = Σ |nᵢ| eᵢ
+/// ```
+///
+/// The exact point lies in the box **p** ± **e**, and no corner of that box is farther from **p**
+/// along **n** than δ. Adding δ **n** rounds once more, so each component is moved on to the next
+/// float away from **p** [PBR4] §6.8.6. No constant is involved: the step is a few units in the
+/// last place of **p**, at every scale. [`offset_by_epsilon`] is what it replaces.
+#[inline]
+fn offset(position: Vec3, error: Vec3, n: Vec3, direction: Vec3) -> Vec3 {
+    let distance = n.abs().dot(error);
+    let side = if direction.dot(n) < 0.0 { -1.0 } else { 1.0 };
+    let offset = side * distance * n;
+
+    let origin = (position + offset).to_array();
+    let offset = offset.to_array();
+    Vec3::from_array([0, 1, 2].map(|i| {
+        if offset[i] > 0.0 {
+            origin[i].next_up()
+        } else if offset[i] < 0.0 {
+            origin[i].next_down()
+        } else {
+            origin[i]
+        }
+    }))
+}
+// ANCHOR_END: offset
+
+/// A point of a surface that another point wants to see: of a lamp, as a rule.
+#[derive(Clone, Copy, Debug)]
+pub struct EndPoint {
+    /// In scene units.
+    pub position: Vec3,
+    /// How far the exact point may lie from `position`, for each axis; in scene units.
+    pub position_error: Vec3,
+    /// Unit normal of the surface, of either side.
+    pub normal: Vec3,
+}
+
+impl EndPoint {
+    /// A point computed in double precision from numbers as large as `extent`, for each axis.
+    #[inline]
+    #[must_use]
+    pub fn new(position: DVec3, extent: DVec3, normal: Vec3) -> Self {
+        let position = position.as_vec3();
+        Self { position, position_error: rounding_box(position, extent.as_vec3()), normal }
+    }
+
+    /// A place that has no surface, such as a point light's.
+    #[inline]
+    #[must_use]
+    pub const fn in_space(position: Vec3) -> Self {
+        Self { position, position_error: Vec3::ZERO, normal: Vec3::ZERO }
+    }
+
+    /// The point, moved off its surface to the side of `viewer`.
+    #[inline]
+    fn offset(&self, viewer: Vec3) -> Vec3 {
+        offset(self.position, self.position_error, self.normal, viewer - self.position)
+    }
 }
 
 /// The error box around a point whose components were rounded once from (nearly) exact values.

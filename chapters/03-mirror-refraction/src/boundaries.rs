@@ -95,6 +95,13 @@ impl<'a> Boundaries<'a> {
     }
     // ANCHOR_END: crossing
 
+    /// What is around the eye.
+    #[must_use]
+    pub fn media_at_eye<G: Intersect>(&self, geometry: &G) -> Media {
+        let camera = &self.scene.camera;
+        self.media_at(Ray::new(camera.eye, camera.forward), geometry)
+    }
+
     /// What is around the start of `ray`.
     ///
     /// Far away, everything has been left. A body that the ray leaves on its way there without

@@ -12,6 +12,7 @@ mod limits;
 mod material;
 mod media;
 mod radiance;
+mod smooth;
 mod stage;
 
 pub use boundaries::{Boundaries, Crossing};
@@ -20,4 +21,5 @@ pub use limits::{Cutoff, Limits};
 pub use material::Surface;
 pub use media::Media;
 pub use radiance::{RayTracer, simplifications};
+pub use smooth::{mirror_direction, split};
 pub use stage::STAGE;

@@ -2,15 +2,14 @@
 
 use blinn_phong::reflection::{Arriving, diffuse, specular};
 use blinn_phong::{Material, Picture};
-use glam::Vec3;
 use ray_casting::{Intersect, PointLight, Ray, Rgb, Scene, SurfacePoint};
 use workbench::{Counter, Probe, SurfaceKind};
 
 use crate::boundaries::Boundaries;
-use crate::fresnel::{Split, reflect};
 use crate::limits::Limits;
 use crate::material::Surface;
 use crate::media::Media;
+use crate::smooth::{mirror_direction, split};
 
 /// Whitted's method, over whatever finds the hits.
 pub struct RayTracer<'a, G, P> {
@@ -44,8 +43,7 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
         limits: Limits,
     ) -> Self {
         let boundaries = Boundaries::new(scene);
-        let forward = Ray::new(scene.camera.eye, scene.camera.forward);
-        let at_eye = boundaries.media_at(forward, geometry);
+        let at_eye = boundaries.media_at_eye(geometry);
         Self { scene, pictures, geometry, probe, limits, boundaries, at_eye }
     }
 
@@ -88,7 +86,7 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
                     return passed * (self.scene.ambient + reflected);
                 }
                 Surface::Mirror { kr } => {
-                    let reflected = surface.spawn(self.mirror_direction(&surface));
+                    let reflected = surface.spawn(mirror_direction(self.scene, &surface));
                     let next = path.after(*kr);
                     return passed * *kr * self.follow(Counter::ReflectionRays, reflected, next);
                 }
@@ -102,7 +100,7 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
                         ray = crossing.far.spawn(ray.direction);
                         continue;
                     }
-                    let split = self.split(&surface, crossing.eta);
+                    let split = split(self.scene, &surface, crossing.eta);
                     let f = Rgb::splat(split.reflectance);
                     let reflected = crossing.near.spawn(split.reflected);
                     let mut light =
@@ -178,22 +176,6 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
         if visible { reflected } else { Rgb::ZERO }
     }
     // ANCHOR_END: reflected
-
-    /// Where a mirror sends the viewer's ray: by the interpolated normal, unless that is into the
-    /// surface.
-    fn mirror_direction(&self, surface: &SurfacePoint) -> Vec3 {
-        let facing = surface.facing_normal();
-        let direction = reflect(surface.wo, self.scene.shading_normal(surface));
-        if direction.dot(facing) > 0.0 { direction } else { reflect(surface.wo, facing) }
-    }
-
-    /// What a boundary does to the viewer's ray: by the interpolated normal, unless that leads to
-    /// the wrong side of the surface.
-    fn split(&self, surface: &SurfacePoint, eta: f32) -> Split {
-        let facing = surface.facing_normal();
-        let split = Split::new(surface.wo, self.scene.shading_normal(surface), eta);
-        if split.respects(facing) { split } else { Split::new(surface.wo, facing, eta) }
-    }
 }
 
 impl Path {
