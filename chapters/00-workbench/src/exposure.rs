@@ -1,11 +1,17 @@
 //! How often and how large: the exposure of a film, with or without a command line.
 
+use std::collections::TryReserveError;
+
 use rayon::ThreadPoolBuilder;
 
-use crate::{Error, Film, FilmPoint, Image, Sampler};
+use crate::goal::Goal;
+use crate::{Error, Estimate, Film, FilmPoint, Image, Sampler};
 
 /// The most pixels of a picture: with 64 bytes a pixel for film, picture and file, 4 GiB.
 pub(crate) const LARGEST_PICTURE: u64 = 1 << 26;
+
+/// The most pixels of a picture that estimates its error, which takes 96 bytes a pixel more: 5 GiB.
+pub(crate) const LARGEST_ESTIMATE: u64 = 1 << 25;
 
 /// The longest side of a picture in pixels: f32 film coordinates still tell 256 points of a pixel
 /// apart.
@@ -44,12 +50,47 @@ pub fn expose<R: Into<[f32; 3]>>(
     settings: &FilmSettings,
     radiance: impl Fn(FilmPoint, &mut Sampler) -> R + Sync,
 ) -> Image {
-    if let Err(reason) = check_size(settings.size) {
+    let goal = Goal { samples: settings.samples, error: None };
+    exposed(settings, goal, Film::new, radiance).strict_image()
+}
+
+/// The same picture as from [`expose`], with the variance of every pixel and the estimated error.
+///
+/// Panics like [`expose`].
+pub fn expose_estimate<R: Into<[f32; 3]>>(
+    settings: &FilmSettings,
+    radiance: impl Fn(FilmPoint, &mut Sampler) -> R + Sync,
+) -> Estimate {
+    let goal = Goal { samples: settings.samples, error: None };
+    exposed(settings, goal, Film::estimating, radiance).strict_estimate()
+}
+
+/// The picture that `--error` renders: samples are added until the estimated relative error is at
+/// most `error`, a fraction of 1, or until there are `settings.samples` a pixel.
+///
+/// Panics like [`expose`].
+pub fn expose_until<R: Into<[f32; 3]>>(
+    settings: &FilmSettings,
+    error: f64,
+    radiance: impl Fn(FilmPoint, &mut Sampler) -> R + Sync,
+) -> Estimate {
+    let goal = Goal { samples: settings.samples, error: Some(error) };
+    exposed(settings, goal, Film::estimating, radiance).strict_estimate()
+}
+
+/// A film of that kind, exposed until the goal is reached.
+fn exposed<R: Into<[f32; 3]>>(
+    settings: &FilmSettings,
+    goal: Goal,
+    film: impl FnOnce([u32; 2]) -> Result<Film, TryReserveError>,
+    radiance: impl Fn(FilmPoint, &mut Sampler) -> R + Sync,
+) -> Film {
+    if let Err(reason) = check_size(settings.size, LARGEST_PICTURE) {
         panic!("{reason}");
     }
-    let mut film = Film::new(settings.size).unwrap_or_else(|error| panic!("the film: {error}"));
+    let mut film = film(settings.size).unwrap_or_else(|error| panic!("the film: {error}"));
     let mut expose_all = || {
-        in_passes(settings.samples, |samples| {
+        goal.pursue(&mut film, |film, samples| {
             film.expose(settings.seed, samples, &radiance, &|| false, &|_| ());
             true
         });
@@ -61,45 +102,38 @@ pub fn expose<R: Into<[f32; 3]>>(
             pool.unwrap_or_else(|error| panic!("{threads} threads: {error}")).install(expose_all);
         }
     }
-    film.strict_image()
+    film
 }
 
-/// Calls `pass` with 1, 1, 2, 4, 8 … samples until they add up to `samples` or it returns false.
-///
-/// After each pass the film holds a whole picture, with twice the samples of the one before.
-pub(crate) fn in_passes(samples: u32, mut pass: impl FnMut(u32) -> bool) {
-    let mut taken = 0;
-    while taken < samples {
-        let next = taken.max(1).min(samples - taken);
-        if !pass(next) {
-            return;
-        }
-        taken += next;
-    }
-}
-
-/// Why a picture of this size cannot be rendered.
-pub(crate) fn check_size(size: [u32; 2]) -> Result<(), String> {
+/// Why a picture of this size cannot be rendered, if at most `largest` pixels are possible.
+pub(crate) fn check_size(size: [u32; 2], largest: u64) -> Result<(), String> {
     let [width, height] = size;
     if width == 0 || height == 0 {
         return Err(format!(
             "a picture of {width}×{height} has no pixels; both must be at least 1"
         ));
     }
-    if width.max(height) > LONGEST_SIDE || u64::from(width) * u64::from(height) > LARGEST_PICTURE {
+    if width.max(height) > LONGEST_SIDE || u64::from(width) * u64::from(height) > largest {
         return Err(format!(
-            "a picture of {width}×{height} pixels would not fit in memory; at most {LARGEST_PICTURE} \
-             pixels (for example 8192×8192), and {LONGEST_SIDE} on a side"
+            "a picture of {width}×{height} pixels would not fit in memory; at most {largest} \
+             pixels (for example 8192×{}), and {LONGEST_SIDE} on a side",
+            largest / 8192
         ));
     }
     Ok(())
 }
 
 /// The film that was asked for, or why there is none.
-pub(crate) fn film(size: [u32; 2], pixel: Option<[u32; 2]>) -> Result<Film, Error> {
-    let film = match pixel {
-        None => Film::new(size),
-        Some(pixel) => Film::single_pixel(size, pixel),
+pub(crate) fn film(
+    size: [u32; 2],
+    pixel: Option<[u32; 2]>,
+    estimates: bool,
+) -> Result<Film, Error> {
+    let film = match (pixel, estimates) {
+        (None, false) => Film::new(size),
+        (None, true) => Film::estimating(size),
+        (Some(pixel), false) => Film::single_pixel(size, pixel),
+        (Some(pixel), true) => Film::estimating_pixel(size, pixel),
     };
     film.map_err(|_| {
         let [width, height] = size;

@@ -4,76 +4,18 @@ use std::collections::TryReserveError;
 
 use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 
-use crate::{Image, Sampler};
+use crate::estimate::LikelyError;
+use crate::pixel_sum::PixelSum;
+use crate::spread::{self, Spread};
+use crate::{Estimate, FilmPoint, Image, Sampler};
 
 /// The side of a tile in pixels: small enough to keep all cores busy to the end, large enough that
 /// handing tiles out costs nothing.
 const TILE: u32 = 16;
 
-/// A point of the film, in pixels: x to the right, y downwards, the centre of the first pixel at
-/// (0.5, 0.5).
-///
-/// The point of a sample always lies in the pixel it is drawn for, also after rounding.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FilmPoint {
-    /// From the left edge, in [0, width).
-    pub x: f32,
-    /// From the upper edge, in [0, height).
-    pub y: f32,
-    /// Width and height of the whole film in pixels.
-    pub size: [u32; 2],
-}
-
-impl FilmPoint {
-    /// The point of pixel (x, y) that `u` ∈ [0, 1)² picks.
-    #[inline]
-    #[must_use]
-    pub fn in_pixel(pixel: [u32; 2], u: [f32; 2], size: [u32; 2]) -> Self {
-        Self { x: within(pixel[0], u[0]), y: within(pixel[1], u[1]), size }
-    }
-}
-
-/// `pixel` + `u`, kept below `pixel` + 1, to which the sum may round.
-#[inline]
-fn within(pixel: u32, u: f32) -> f32 {
-    (pixel as f32 + u).min(((pixel + 1) as f32).next_down())
-}
-
-/// What one pixel has collected.
-#[derive(Clone, Copy, Debug, Default)]
-struct PixelSum {
-    /// The sum of the finite samples, in the order of their numbers.
-    sum: [f64; 3],
-    /// How many samples are in the sum.
-    finite: u32,
-    /// How many were taken.
-    taken: u32,
-}
-
-impl PixelSum {
-    // ANCHOR: add
-    #[inline]
-    fn add(&mut self, radiance: [f32; 3]) {
-        let radiance = radiance.map(f64::from);
-        self.taken += 1;
-        // In f64, finite f32s cannot add up to infinity.
-        if (radiance[0] + radiance[1] + radiance[2]).is_finite() {
-            self.finite += 1;
-            for (sum, value) in self.sum.iter_mut().zip(radiance) {
-                *sum += value;
-            }
-        }
-    }
-    // ANCHOR_END: add
-
-    /// The mean of the finite samples: black before the first sample, NaN when none was finite.
-    fn mean(&self) -> [f32; 3] {
-        if self.taken == 0 {
-            return [0.0; 3];
-        }
-        self.sum.map(|sum| (sum / f64::from(self.finite)) as f32)
-    }
-}
+/// How many samples of a pixel are taken before they are added to it: few enough to stay close to
+/// the processor.
+const BATCH: u32 = 16;
 
 /// A rectangle of pixels that one thread works on at a time.
 #[derive(Clone, Debug)]
@@ -81,19 +23,38 @@ struct Tile {
     origin: [u32; 2],
     width: u32,
     pixels: Vec<PixelSum>,
+    /// One for each pixel if the film estimates its error, else none.
+    spreads: Vec<Spread>,
 }
 
 impl Tile {
-    /// The pixels of the tile with their coordinates, row by row.
-    fn pixels(&self) -> impl Iterator<Item = ([u32; 2], &PixelSum)> {
+    /// The coordinates of the tile's pixels, row by row.
+    fn coordinates(&self) -> impl Iterator<Item = [u32; 2]> + use<> {
         let ([x, y], width) = (self.origin, self.width);
-        (0..).zip(&self.pixels).map(move |(i, sum)| ([x + i % width, y + i / width], sum))
+        (0..).map(move |i| [x + i % width, y + i / width])
     }
 
-    /// The same, to be added to.
-    fn pixels_mut(&mut self) -> impl Iterator<Item = ([u32; 2], &mut PixelSum)> {
-        let ([x, y], width) = (self.origin, self.width);
-        (0..).zip(&mut self.pixels).map(move |(i, sum)| ([x + i % width, y + i / width], sum))
+    /// The pixels of the tile with their coordinates, row by row.
+    fn pixels(&self) -> impl Iterator<Item = ([u32; 2], &PixelSum)> {
+        self.coordinates().zip(&self.pixels)
+    }
+
+    /// Adds samples to pixel number `i` of the tile.
+    ///
+    /// Whether spreads are wanted is asked here, once for a batch of samples.
+    fn add(&mut self, i: usize, batch: &[[f32; 3]]) {
+        let sum = &mut self.pixels[i];
+        let Some(spread) = self.spreads.get_mut(i) else {
+            for &radiance in batch {
+                sum.add(radiance);
+            }
+            return;
+        };
+        for &radiance in batch {
+            if sum.add(radiance) {
+                spread.add(sum.finite - 1, radiance);
+            }
+        }
     }
 }
 
@@ -136,10 +97,32 @@ impl Film {
                 pixels.try_reserve_exact(count)?;
                 pixels.resize(count, PixelSum::default());
                 tiles.try_reserve(1)?;
-                tiles.push(Tile { origin: [origin[0] + x, origin[1] + y], width, pixels });
+                let origin = [origin[0] + x, origin[1] + y];
+                tiles.push(Tile { origin, width, pixels, spreads: Vec::new() });
             }
         }
         Ok(Self { size, origin, extent, tiles })
+    }
+
+    /// The same, but the film also collects what it needs to estimate its error.
+    pub(crate) fn estimating(size: [u32; 2]) -> Result<Self, TryReserveError> {
+        Self::new(size)?.with_spreads()
+    }
+
+    /// A film that holds a single pixel of a larger picture, and estimates its error.
+    pub(crate) fn estimating_pixel(
+        size: [u32; 2],
+        pixel: [u32; 2],
+    ) -> Result<Self, TryReserveError> {
+        Self::single_pixel(size, pixel)?.with_spreads()
+    }
+
+    fn with_spreads(mut self) -> Result<Self, TryReserveError> {
+        for tile in &mut self.tiles {
+            tile.spreads.try_reserve_exact(tile.pixels.len())?;
+            tile.spreads.resize(tile.pixels.len(), Spread::default());
+        }
+        Ok(self)
     }
 
     /// Adds `samples` samples to every pixel, on the current pool of threads.
@@ -159,12 +142,20 @@ impl Film {
             if stop() {
                 return;
             }
-            for (pixel, sum) in tile.pixels_mut() {
+            let mut batch = [[0.0; 3]; BATCH as usize];
+            for (i, pixel) in (0..tile.pixels.len()).zip(tile.coordinates()) {
                 let index = u64::from(pixel[1]) * u64::from(size[0]) + u64::from(pixel[0]);
-                for _ in 0..samples {
-                    let mut sampler = Sampler::new(seed, index, u64::from(sum.taken));
-                    let point = FilmPoint::in_pixel(pixel, sampler.next_2d(), size);
-                    sum.add(radiance(point, &mut sampler).into());
+                let mut sample = tile.pixels[i].taken;
+                let end = sample + samples;
+                while sample < end {
+                    let batch = &mut batch[..BATCH.min(end - sample) as usize];
+                    for slot in &mut *batch {
+                        let mut sampler = Sampler::new(seed, index, u64::from(sample));
+                        let point = FilmPoint::in_pixel(pixel, sampler.next_2d(), size);
+                        *slot = radiance(point, &mut sampler).into();
+                        sample += 1;
+                    }
+                    tile.add(i, batch);
                 }
             }
             done(tile.pixels.len() as u64 * u64::from(samples));
@@ -189,19 +180,65 @@ impl Film {
     /// The same, but NaN in every pixel that met a sample that is not finite: for tests, which
     /// must not pass over one.
     pub(crate) fn strict_image(&self) -> Image {
-        let strict = |sum: &PixelSum| {
-            if sum.finite == sum.taken { sum.mean() } else { [f32::NAN; 3] }
-        };
-        self.image_of(strict)
+        self.image_of(|sum| sum.strict(sum.mean()))
     }
 
     fn image_of(&self, value: impl Fn(&PixelSum) -> [f32; 3]) -> Image {
+        self.arranged(self.pixels().map(|(pixel, sum)| (pixel, value(sum))))
+    }
+
+    /// The picture with these values of its pixels.
+    fn arranged(&self, values: impl Iterator<Item = ([u32; 2], [f32; 3])>) -> Image {
         let mut image = Image::new(self.extent[0], self.extent[1]);
-        for (pixel, sum) in self.pixels() {
+        for (pixel, value) in values {
             let (x, y) = (pixel[0] - self.origin[0], pixel[1] - self.origin[1]);
-            image.pixels[y as usize * self.extent[0] as usize + x as usize] = value(sum);
+            image.pixels[y as usize * self.extent[0] as usize + x as usize] = value;
         }
         image
+    }
+
+    /// The strict picture with its variance and its error.
+    pub(crate) fn strict_estimate(&self) -> Estimate {
+        let variance = |(pixel, sum, spread): ([u32; 2], &PixelSum, &Spread)| {
+            let variance = spread.variance_of_mean(sum.finite);
+            (pixel, sum.strict(variance.map(|variance| variance as f32)))
+        };
+        Estimate {
+            image: self.strict_image(),
+            variance_of_mean: self.arranged(self.spreads().map(variance)),
+            samples: self.samples()[0],
+            likely_error: self.likely_error().filter(|_| self.non_finite_samples() == 0),
+        }
+    }
+
+    /// The relative error ε that the picture states of itself, as a fraction of 1.
+    ///
+    /// ```text
+    /// ε² = expected relMSE + margin,   relMSE = mean of (m − μ)² / (μ² + 0.01)
+    /// ```
+    ///
+    /// over all pixels and channels, where m is what a pixel holds and μ what it would hold after
+    /// infinitely many samples. The true √relMSE lies below ε in at least 95 % of all seeds, as
+    /// long as no light is so rare that no pixel at all has found it. Pixels that have taken
+    /// samples, but hardly a finite one, are left out like those samples.
+    ///
+    /// `None` if the stage does not estimate, below four samples a pixel, and when no pixel has
+    /// four finite samples.
+    #[must_use]
+    pub fn estimated_error(&self) -> Option<f64> {
+        self.likely_error().map(LikelyError::bound)
+    }
+
+    fn likely_error(&self) -> Option<LikelyError> {
+        if self.samples()[0] < spread::FEWEST {
+            return None;
+        }
+        LikelyError::of(self.spreads().filter_map(|(_, sum, s)| s.relative_variance(sum.finite)))
+    }
+
+    /// Whether no sample has brought any light.
+    pub(crate) fn is_black(&self) -> bool {
+        self.pixels().all(|(_, sum)| sum.sum == [0.0; 3])
     }
 
     /// The fewest and the most samples that a pixel holds.
@@ -235,16 +272,28 @@ impl Film {
         self.tiles.len() as u64
     }
 
+    /// How many pixels there are.
+    pub(crate) fn pixel_count(&self) -> u64 {
+        u64::from(self.extent[0]) * u64::from(self.extent[1])
+    }
+
     fn pixels(&self) -> impl Iterator<Item = ([u32; 2], &PixelSum)> {
         self.tiles.iter().flat_map(Tile::pixels)
+    }
+
+    /// The pixels with their spreads; none if the film does not estimate its error.
+    fn spreads(&self) -> impl Iterator<Item = ([u32; 2], &PixelSum, &Spread)> {
+        let tiles = self.tiles.iter();
+        let pixels = tiles.flat_map(|tile| tile.pixels().zip(&tile.spreads));
+        pixels.map(|((pixel, sum), spread)| (pixel, sum, spread))
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Film, FilmPoint};
-    use crate::exposure::in_passes;
-    use crate::{FilmSettings, Image, Sampler, expose};
+    use super::Film;
+    use crate::goal::Goal;
+    use crate::{FilmPoint, FilmSettings, Image, Sampler, expose};
 
     const SETTINGS: FilmSettings =
         FilmSettings { size: [37, 21], samples: 5, seed: 1, threads: Some(1) };
@@ -252,20 +301,6 @@ mod tests {
     /// A picture that shows every bit of what the closure is given.
     fn noise(point: FilmPoint, sampler: &mut Sampler) -> [f32; 3] {
         [point.x * 1e-3, point.y, sampler.next_1d()]
-    }
-
-    /// accuracy.md C5.
-    #[test]
-    fn a_point_stays_in_its_pixel() {
-        let largest = 1.0_f32.next_down();
-        for pixel in [0, 1, 2, 3, 1000, 65_535] {
-            for u in [0.0, 2.0_f32.powi(-24), 0.5, largest] {
-                let point = FilmPoint::in_pixel([pixel; 2], [u; 2], [65_536; 2]);
-                let edges = pixel as f32..(pixel + 1) as f32;
-                assert!(edges.contains(&point.x), "{} for pixel {pixel}, u = {u}", point.x);
-                assert!(edges.contains(&point.y), "{} for pixel {pixel}, u = {u}", point.y);
-            }
-        }
     }
 
     #[test]
@@ -335,7 +370,7 @@ mod tests {
             _ if sampler.next_1d() < 0.5 => [0.0, f32::NEG_INFINITY, f32::INFINITY],
             _ => [2.0; 3],
         };
-        in_passes(64, |samples| {
+        Goal { samples: 64, error: None }.pursue(&mut film, |film, samples| {
             film.expose(0, samples, &radiance, &|| false, &|_| ());
             true
         });

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::spread::FLOOR;
 use crate::{Error, picture_file, srgb};
 
 /// A finished picture in linear light.
@@ -103,6 +104,28 @@ impl Image {
         sum.map(|sum| sum / self.pixels.len() as f64)
     }
 
+    /// The relative mean squared error of this picture against `reference`.
+    ///
+    /// ```text
+    /// relMSE = mean over pixels and channels of (x − r)² / (r² + 0.01)
+    /// ```
+    ///
+    /// Summed in f64; NaN if a value of either is NaN. Of a picture of independent random samples
+    /// it falls as 1/n. If the reference has noise of its own, its relMSE is part of the result.
+    ///
+    /// Panics when the sizes differ.
+    #[must_use]
+    pub fn rel_mse(&self, reference: &Self) -> f64 {
+        let sizes = [[self.width, self.height], [reference.width, reference.height]];
+        assert!(sizes[0] == sizes[1], "a picture of {:?} against one of {:?}", sizes[0], sizes[1]);
+        let (values, references) = (self.pixels.as_flattened(), reference.pixels.as_flattened());
+        let terms = values.iter().zip(references).map(|(&x, &r)| {
+            let (x, r) = (f64::from(x), f64::from(r));
+            (x - r) * (x - r) / (r * r + FLOOR)
+        });
+        terms.sum::<f64>() / values.len() as f64
+    }
+
     /// The smallest value of each channel; NaN if one of them is NaN.
     #[must_use]
     pub fn min(&self) -> [f32; 3] {
@@ -169,6 +192,18 @@ mod tests {
         assert_ne!(zeros.0.hash(), zeros.1.hash(), "every bit counts");
         let nans = (two_pixels([f32::NAN; 3], [0.0; 3]), two_pixels([-f32::NAN; 3], [0.0; 3]));
         assert_eq!(nans.0.hash(), nans.1.hash(), "the sign of NaN does not count");
+    }
+
+    #[test]
+    fn the_relative_error_is_the_one_defined() {
+        let reference = two_pixels([0.0, 0.3, 1.0], [2.0, 0.0, 0.0]);
+        let image = two_pixels([0.1, 0.3, 0.5], [2.0, 0.0, -0.2]);
+        let expected = (0.01 / 0.01 + 0.25 / 1.01 + 0.04 / 0.01) / 6.0;
+        let found = image.rel_mse(&reference);
+        assert!((found - expected).abs() < 1e-6, "{found}, by hand {expected}");
+        assert_eq!(reference.rel_mse(&reference), 0.0, "against itself");
+        let nan = two_pixels([0.0; 3], [f32::NAN, 0.0, 0.0]);
+        assert!(nan.rel_mse(&reference).is_nan() && reference.rel_mse(&nan).is_nan(), "NaN");
     }
 
     #[test]

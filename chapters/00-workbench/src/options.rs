@@ -9,7 +9,7 @@ use clap::builder::{TypedValueParser, ValueParser};
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, FromArgMatches, Parser};
 
-use crate::exposure::check_size;
+use crate::exposure::{LARGEST_PICTURE, check_size};
 use crate::picture_file::PictureFormat;
 
 /// What a stage is called, and what it does when the command line says nothing.
@@ -25,8 +25,8 @@ pub struct Stage {
     pub samples: u32,
     /// Most scattering events on a path; `None`: unlimited, or the stage follows no path.
     pub depth: Option<u32>,
-    /// Whether the stage estimates by random samples, so that `--time` makes sense. The stages
-    /// before 05 do not.
+    /// Whether the stage estimates by random samples, so that `--time` and `--error` make sense.
+    /// The stages before 05 do not.
     pub estimates: bool,
 }
 
@@ -59,11 +59,14 @@ pub struct Options<E: Args> {
     #[arg(long, value_name = "D")]
     pub depth: Option<u32>,
 
-    /// Render until this time is used up, for example 10s, 500ms or 2m
+    /// Render until this time is used up, for example 10s, 500ms or 2m; with --samples or --error,
+    /// until whichever comes first
     #[arg(long, value_name = "TIME", value_parser = parse_time)]
     pub time: Option<Duration>,
 
-    /// Render until the estimated relative error is below this, for example 1%
+    /// Render until the estimated relative error of the picture is at most this, for example 1%:
+    /// the root of the mean over pixels and channels of (error of the mean)² / (mean² + 0.01), so
+    /// large that the true one is below it in 95 of 100 renders
     #[arg(long, value_name = "PERCENT", value_parser = parse_error)]
     pub error: Option<f64>,
 
@@ -125,7 +128,7 @@ impl<E: Args> Options<E> {
             .about(stage.about)
             .mut_arg("scene", |argument| argument.required(false).default_value(stage.scene))
             .mut_arg("time", |argument| argument.hide(!stage.estimates))
-            .mut_arg("error", |argument| argument.hide(true));
+            .mut_arg("error", |argument| argument.hide(!stage.estimates));
         let matches = command.try_get_matches_from_mut(arguments)?;
         let options = Self::from_arg_matches(&matches).map_err(|e| e.format(&mut command))?;
         match options.contradiction(stage) {
@@ -140,7 +143,7 @@ impl<E: Args> Options<E> {
         if self.time.is_some() && !stage.estimates {
             return Some(format!("{name} does not take `--time`; it ends after `--samples`"));
         }
-        if self.error.is_some() {
+        if self.error.is_some() && !stage.estimates {
             return Some(format!("{name} does not take `--error`; it ends after `--samples`"));
         }
         match (&self.output, &self.stats) {
@@ -162,7 +165,7 @@ fn picture_path() -> ValueParser {
 fn parse_size(text: &str) -> Result<[u32; 2], String> {
     let size = pair(text, &['x', 'X', '×'])
         .ok_or("write width and height as two whole numbers, for example 640x480")?;
-    check_size(size).map(|()| size)
+    check_size(size, LARGEST_PICTURE).map(|()| size)
 }
 
 fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
@@ -194,7 +197,8 @@ fn parse_time(text: &str) -> Result<Duration, String> {
         .ok_or_else(|| "write a number above 0 and a unit, for example 10s, 500ms or 2m".to_owned())
 }
 
-/// A relative error as a fraction of 1.
+/// A relative error as a fraction of 1: a percentage above 0, with its sign. `5` could mean 5 or
+/// 500 %, `0.05` likewise, and no picture of random samples reaches 0.
 fn parse_error(text: &str) -> Result<f64, String> {
     text.strip_suffix('%')
         .and_then(|number| number.trim().parse::<f64>().ok())
@@ -235,7 +239,7 @@ mod tests {
     fn every_option_is_read() {
         let options = parse(
             "stage a.toml -o b.exr --size 64x48 --samples 9 --depth 0 --time 2m --seed 7 \
-             --threads 3 --pixel 1,2 --stats - --preview --quiet",
+             --error 3% --threads 3 --pixel 1,2 --stats - --preview --quiet",
         );
         assert_eq!(options.scene, PathBuf::from("a.toml"), "the scene");
         assert_eq!(options.output, Some(PathBuf::from("b.exr")), "the output");
@@ -244,6 +248,7 @@ mod tests {
         assert_eq!((options.seed, options.threads), (7, Some(3)), "the numbers");
         assert_eq!(options.stats, Some(StatsTarget::StandardOutput), "the statistics");
         assert_eq!(options.time, Some(Duration::from_secs(120)), "the time");
+        assert_eq!(options.error, Some(0.03), "the error");
         assert!(options.preview && options.quiet, "the switches");
     }
 
@@ -256,7 +261,8 @@ mod tests {
             assert!(parse_time(wrong).is_err(), "`{wrong}` was accepted as a time");
         }
         assert_eq!(parse_error("2%"), Ok(0.02), "two per cent");
-        for wrong in ["1", "%", "-1%", "0%", "nan%", "inf%"] {
+        assert_eq!(parse_error("0.5 %"), Ok(0.005), "half a per cent");
+        for wrong in ["1", "0.05", "0", "%", "-1%", "0%", "-0%", "nan%", "inf%", "1%%", "1e-999%"] {
             assert!(parse_error(wrong).is_err(), "`{wrong}` was accepted as an error");
         }
     }

@@ -50,18 +50,27 @@ pub enum Counter {
     VolumeTests,
     /// Ray against triangle or sphere.
     PrimitiveTests,
-    /// Shadow rays not traced, because nothing arrives from the light: it is behind the surface, the
-    /// point is behind the lamp, or it is so far away that its light vanishes.
+    /// Shadow rays not traced, because nothing arrives from the light: it is behind the surface,
+    /// the point is behind the lamp, or it is so far away that its light vanishes.
     ShadowRaysFacingAway,
     /// Shadow rays not traced, because the surface reflects nothing of that light.
     ShadowRaysNothingToReflect,
     /// Branches of the recursion not followed, because each alone cannot change an 8-bit pixel.
     BranchesBelowThreshold,
+    /// Paths that chance ended, while their survivors carry the more.
+    PathsEndedByRoulette,
+    /// Paths cut because they had as many scattering events as `--depth` allows.
+    PathsEndedByDepth,
+    /// Paths ended because the surface reflects nothing, so that nothing further could count.
+    PathsEndedByBlack,
+    /// Shadow rays not traced, because a mirror or glass sends none of a lamp's light to the eye
+    /// from a direction that was not drawn from itself.
+    ShadowRaysDelta,
 }
 
 impl Counter {
     /// Every counter, in the order of the statistics file.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 14] = [
         Self::CameraRays,
         Self::ShadowRays,
         Self::ReflectionRays,
@@ -72,6 +81,10 @@ impl Counter {
         Self::ShadowRaysFacingAway,
         Self::ShadowRaysNothingToReflect,
         Self::BranchesBelowThreshold,
+        Self::PathsEndedByRoulette,
+        Self::PathsEndedByDepth,
+        Self::PathsEndedByBlack,
+        Self::ShadowRaysDelta,
     ];
 
     /// The group and the key under which the statistics file shows the count.
@@ -88,6 +101,10 @@ impl Counter {
             Self::ShadowRaysFacingAway => ("skipped", "shadow_rays_facing_away"),
             Self::ShadowRaysNothingToReflect => ("skipped", "shadow_rays_nothing_to_reflect"),
             Self::BranchesBelowThreshold => ("skipped", "branches_below_threshold"),
+            Self::PathsEndedByRoulette => ("skipped", "paths_ended_by_roulette"),
+            Self::PathsEndedByDepth => ("skipped", "paths_ended_by_depth"),
+            Self::PathsEndedByBlack => ("skipped", "paths_ended_by_black"),
+            Self::ShadowRaysDelta => ("skipped", "shadow_rays_delta"),
         }
     }
 }

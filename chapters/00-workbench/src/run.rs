@@ -11,11 +11,13 @@ use std::time::Instant;
 use clap::Args;
 use console::Term;
 
-use crate::exposure::{check_size, film, in_passes};
+use crate::exposure::{LARGEST_ESTIMATE, LARGEST_PICTURE, check_size, film};
+use crate::goal::Goal;
+use crate::pace::Pace;
 use crate::statistics::{Seconds, Statistics, group};
 use crate::{
     Counter, Error, Exposure, Film, FilmPoint, Options, Probe, Recorder, Sampler, Stage,
-    StatsTarget, atomic_file, interrupt, preview, progress, scene_path, statistics,
+    StatsTarget, atomic_file, interrupt, preview, progress, scene_path, statistics, summary,
 };
 
 /// Parses the command line, calls `render`, prints what went wrong, and returns the exit status.
@@ -61,7 +63,8 @@ pub struct Run<E: Args> {
     recorder: Option<Recorder>,
     notices: RefCell<Vec<String>>,
     seconds: Cell<Seconds>,
-    samples: Cell<u32>,
+    /// The samples a pixel that end the render, if they do.
+    samples: Cell<Option<u32>>,
     scene_path: OnceCell<PathBuf>,
 }
 
@@ -88,7 +91,7 @@ impl<E: Args> Run<E> {
             recorder,
             notices: RefCell::default(),
             seconds: Cell::default(),
-            samples: Cell::new(0),
+            samples: Cell::default(),
             scene_path: OnceCell::new(),
         }
     }
@@ -140,9 +143,10 @@ impl<E: Args> Run<E> {
     /// Renders on all cores: calls `radiance` for every sample of every pixel.
     ///
     /// Size and samples are those of the command line, else of the scene, else of the stage; with
-    /// `--time` alone, as many samples as there is time for. The
-    /// first two numbers of the sampler have placed the film point in its pixel; the rest are for
-    /// `radiance`. Under `--pixel`, only that pixel is rendered, by one thread.
+    /// `--time` or `--error` and without `--samples`, as many samples as there is time for or as
+    /// the error needs. The first two numbers of the sampler have placed the film point in its
+    /// pixel; the rest are for `radiance`. Under `--pixel`, only that pixel is rendered, by one
+    /// thread.
     pub fn render<P: Probe, R: Into<[f32; 3]>>(
         &self,
         exposure: Exposure,
@@ -150,19 +154,17 @@ impl<E: Args> Run<E> {
         radiance: impl Fn(FilmPoint, &mut Sampler) -> R + Sync,
     ) -> Result<Film, Error> {
         let size = self.options.size.unwrap_or(exposure.size);
-        check_size(size).map_err(Error::Memory)?;
-        let samples = match (self.options.samples, self.options.time) {
-            (Some(samples), _) => samples,
-            (None, Some(_)) => u32::MAX,
-            (None, None) => exposure.samples.unwrap_or(self.stage.samples),
-        };
-        self.samples.set(samples);
+        let largest = if self.stage.estimates { LARGEST_ESTIMATE } else { LARGEST_PICTURE };
+        check_size(size, largest).map_err(Error::Memory)?;
+        let is_open = self.options.time.is_some() || self.options.error.is_some();
+        let default = || (!is_open).then(|| exposure.samples.unwrap_or(self.stage.samples));
+        self.samples.set(self.options.samples.or_else(default));
         self.check_pixel(size)?;
 
-        let mut film = film(size, self.options.pixel)?;
+        let mut film = film(size, self.options.pixel, self.stage.estimates)?;
         interrupt::keep_the_picture();
         let (film, seconds) = timed(|| {
-            self.expose(&mut film, samples, &radiance);
+            self.expose(&mut film, &radiance);
             film
         });
         self.seconds.update(|all| Seconds { render: all.render + seconds, ..all });
@@ -170,30 +172,35 @@ impl<E: Args> Run<E> {
         Ok(film)
     }
 
-    /// Adds samples to the film until there are enough, the time is over or Ctrl-C is pressed.
+    /// Adds samples to the film until there are enough, the error is small enough, the time is over
+    /// or Ctrl-C is pressed.
     fn expose<R: Into<[f32; 3]>>(
         &self,
         film: &mut Film,
-        samples: u32,
         radiance: &(impl Fn(FilmPoint, &mut Sampler) -> R + Sync),
     ) {
-        let [width, height] = film.size();
-        let pixels =
-            if self.options.pixel.is_some() { 1 } else { u64::from(width) * u64::from(height) };
-        let hidden = self.options.quiet || self.options.pixel.is_some();
-        let bar = progress::bar(pixels * u64::from(samples), samples, film.tile_count(), hidden);
-        let deadline = self.options.time.and_then(|time| Instant::now().checked_add(time));
-        let stop = || interrupt::stop() || deadline.is_some_and(|end| Instant::now() >= end);
+        let Options { time, error, pixel, seed, .. } = self.options;
+        let goal = Goal { samples: self.samples.get().unwrap_or(u32::MAX), error };
+        let pace = Pace::new(time, error.is_some());
+        let hidden = self.options.quiet || pixel.is_some();
+        let mut bar = progress::Bar::new(&goal, time.is_some(), film, hidden);
+        let stop = || interrupt::stop() || pace.is_over();
         // The first pass takes one sample a pixel: under `--pixel`, that is the path to tell of.
-        self.set_telling(self.options.pixel.is_some());
-        in_passes(samples, |pass| {
-            film.expose(self.options.seed, pass, radiance, &stop, &|done| {
-                bar.inc(done);
-            });
-            self.set_telling(false);
+        self.set_telling(pixel.is_some());
+        let mut taken = 0;
+        goal.pursue(film, |film, samples| {
+            bar.show_error(film, &goal, taken);
+            let end = taken + samples;
+            while taken < end && !stop() {
+                let part = pace.samples(taken).min(end - taken);
+                film.expose(seed, part, radiance, &stop, &|done| bar.add(done));
+                self.set_telling(false);
+                taken += part;
+                bar.show_time(pace.total(taken));
+            }
             !stop()
         });
-        bar.finish_and_clear();
+        bar.finish();
     }
 
     fn set_telling(&self, telling: bool) {
@@ -211,7 +218,8 @@ impl<E: Args> Run<E> {
             Some([x, y]) => {
                 let [r, g, b] = image.pixel(0, 0);
                 let [samples, _] = film.samples();
-                let sentence = format!("pixel ({x}, {y}): {r} {g} {b}, samples: {samples}");
+                let error = summary::error(film);
+                let sentence = format!("pixel ({x}, {y}): {r} {g} {b}, samples: {samples}{error}");
                 say(self.stdout_is_taken(), &sentence);
             }
             None => image.save(&self.output())?,
@@ -282,6 +290,7 @@ impl<E: Args> Run<E> {
             tests: groups("tests"),
             skipped: groups("skipped"),
             non_finite_samples: film.non_finite_samples(),
+            estimated_error: film.estimated_error(),
         };
         statistics::write(&statistics, target)
     }
@@ -299,41 +308,24 @@ impl<E: Args> Run<E> {
         if self.options.pixel.is_none() {
             let _ = writeln!(
                 text,
-                "{}: {width}×{height} pixels, {} a pixel; load {load:.3} s, build {build:.3} s, \
+                "{}: {width}×{height} pixels, {} a pixel{}; load {load:.3} s, build {build:.3} s, \
                  render {render:.3} s, {threads}",
                 self.output().display(),
-                samples_text(film.samples()),
+                summary::samples(film),
+                summary::error(film),
             );
         }
-        let interruption = interrupted.then(|| {
-            let held = samples_text(film.samples());
-            format!("interrupted: the picture holds {held} a pixel of {}", self.samples.get())
-        });
         let notices = self.notices.borrow();
-        let sentences =
-            interruption.into_iter().chain(non_finite(film)).chain(notices.iter().cloned());
+        let sentences = interrupted
+            .then(|| summary::interruption(film, self.samples.get()))
+            .into_iter()
+            .chain(summary::missed_error(film, self.options.error))
+            .chain(summary::non_finite(film))
+            .chain(notices.iter().cloned());
         for sentence in sentences {
             let _ = writeln!(text, "note: {sentence}");
         }
         text
-    }
-}
-
-/// What to say of samples that are not finite.
-fn non_finite(film: &Film) -> Option<String> {
-    let [x, y] = film.first_non_finite_pixel()?;
-    let count = film.non_finite_samples();
-    Some(format!(
-        "{count} samples were not finite and are left out, the first at `--pixel {x},{y}`"
-    ))
-}
-
-/// "16 samples", or "3 to 4 samples".
-fn samples_text([fewest, most]: [u32; 2]) -> String {
-    match (fewest, most) {
-        (1, 1) => "1 sample".to_owned(),
-        _ if fewest == most => format!("{most} samples"),
-        _ => format!("{fewest} to {most} samples"),
     }
 }
 
@@ -364,3 +356,6 @@ pub(crate) fn write_stdout(text: &str) -> Result<(), Error> {
 fn write_stderr(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
 }
+
+#[cfg(test)]
+mod tests;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use toml::de::DeTable;
 
-use crate::exposure::check_size;
+use crate::exposure::{LARGEST_PICTURE, check_size};
 use crate::mesh::{self, Collection};
 use crate::text_lines::LONGEST_LINE;
 use crate::texture::Textures;
@@ -305,7 +305,8 @@ fn camera(table: &Table<'_>) -> Result<CameraRecord, SceneError> {
     let fov = table.require("fov")?.number_that(|fov| fov > 0.0 && fov < 180.0, fov_rule)?;
     let size_item = table.require("size")?;
     let size = size_item.whole_vector(1)?;
-    check_size(size).map_err(|reason| size_item.error(format!("is too large: {reason}")))?;
+    check_size(size, LARGEST_PICTURE)
+        .map_err(|reason| size_item.error(format!("is too large: {reason}")))?;
     Ok(CameraRecord { eye, target, up, fov, size })
 }
 

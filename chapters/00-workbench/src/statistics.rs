@@ -19,6 +19,8 @@ pub(crate) struct Statistics<'a> {
     pub(crate) tests: Group,
     pub(crate) skipped: Group,
     pub(crate) non_finite_samples: u64,
+    /// The relative error that the picture states, a fraction of 1; `null` when it is not known.
+    pub(crate) estimated_error: Option<f64>,
 }
 
 /// How long the parts of a run took.

@@ -94,8 +94,9 @@ fn statistics_go_to_a_file_or_to_standard_output() {
         "rays": {"camera": 400, "shadow": 0, "reflection": 0, "refraction": 0, "scatter": 0},
         "tests": {"volume": 0, "primitive": 0},
         "skipped": {"shadow_rays_facing_away": 0, "shadow_rays_nothing_to_reflect": 0,
-                    "branches_below_threshold": 0},
-        "non_finite_samples": 0
+                    "branches_below_threshold": 0, "paths_ended_by_roulette": 0,
+                    "paths_ended_by_depth": 0, "paths_ended_by_black": 0, "shadow_rays_delta": 0},
+        "non_finite_samples": 0, "estimated_error": null
     });
     assert_eq!(file, expected, "the statistics");
     for part in ["load", "build", "render"] {
