@@ -61,6 +61,7 @@ impl Scene {
     ///
     /// Position and normal are computed in double precision, once per nearest hit: the position is
     /// then wrong by its own rounding alone, and a spawned ray need move by hardly more than that.
+    #[inline]
     #[must_use]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> SurfacePoint {
         let (position, extent, normal) = match self.geometry.sphere(hit.primitive) {
@@ -82,9 +83,13 @@ impl Scene {
     ///
     /// Interpolated from the vertices where the mesh has normals, else the geometric one. Which
     /// side of the surface a ray is on is never decided by it.
+    #[inline]
     #[must_use]
     pub fn shading_normal(&self, surface: &SurfacePoint) -> Vec3 {
         let facing = surface.facing_normal();
+        if self.attributes.normals.is_empty() {
+            return facing;
+        }
         let Some(&corners) = self.geometry.triangles.get(surface.hit.primitive as usize) else {
             return facing;
         };

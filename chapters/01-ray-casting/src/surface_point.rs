@@ -100,17 +100,22 @@ fn offset(position: Vec3, error: Vec3, n: Vec3, direction: Vec3) -> Vec3 {
     let side = if direction.dot(n) < 0.0 { -1.0 } else { 1.0 };
     let offset = side * distance * n;
 
-    let origin = (position + offset).to_array();
-    let offset = offset.to_array();
-    Vec3::from_array([0, 1, 2].map(|i| {
-        if offset[i] > 0.0 {
-            origin[i].next_up()
-        } else if offset[i] < 0.0 {
-            origin[i].next_down()
-        } else {
-            origin[i]
-        }
-    }))
+    let moved = position + offset;
+    let x = beyond(moved.x, offset.x);
+    let y = beyond(moved.y, offset.y);
+    Vec3::new(x, y, beyond(moved.z, offset.z))
+}
+
+/// The next float after `x` on the way that `step` went.
+#[inline]
+fn beyond(x: f32, step: f32) -> f32 {
+    if step > 0.0 {
+        x.next_up()
+    } else if step < 0.0 {
+        x.next_down()
+    } else {
+        x
+    }
 }
 // ANCHOR_END: offset
 

@@ -1,0 +1,147 @@
+//! The rendering equation, solved by following one random path.
+
+use blinn_phong::Picture;
+use mirror_refraction::{Boundaries, Media, mirror_direction, split};
+use ray_casting::{Intersect, Ray, Rgb, Scene};
+use rendering_equation::{Density, Material, Materials};
+use workbench::{Counter, Probe, Sampler};
+
+use crate::roulette::Ending;
+
+/// Path tracing, over whatever finds the hits. `GLASS`: whether the scene has any; without it,
+/// nothing that has to do with it is compiled in.
+pub struct PathTracer<'a, G, P, const GLASS: bool> {
+    scene: &'a Scene,
+    materials: Materials<'a>,
+    geometry: &'a G,
+    probe: &'a P,
+    density: Density,
+    ending: Ending,
+    boundaries: Boundaries<'a>,
+    at_eye: Media,
+    longest: u32,
+}
+
+impl<'a, G: Intersect, P: Probe, const GLASS: bool> PathTracer<'a, G, P, GLASS> {
+    /// A tracer for the surfaces that `geometry`, the searchable form of the scene's own, finds.
+    pub fn new(
+        scene: &'a Scene,
+        pictures: &'a [Picture],
+        geometry: &'a G,
+        probe: &'a P,
+        density: Density,
+        ending: Ending,
+    ) -> Self {
+        let boundaries = Boundaries::new(scene);
+        let at_eye = boundaries.media_at_eye(geometry);
+        let materials = Materials::new(scene, pictures);
+        // Before every event and after the last one, a ray may cross boundaries that are none.
+        let straight = boundaries.most_crossings().saturating_add(1);
+        let longest = ending.depth.saturating_add(1).saturating_mul(straight);
+        Self { scene, materials, geometry, probe, density, ending, boundaries, at_eye, longest }
+    }
+
+    // ANCHOR: incident_radiance
+    /// A one-sample estimate of Lᵢ, the radiance that arrives against `ray`, in W m⁻² sr⁻¹.
+    ///
+    /// ```text
+    /// Lᵢ ≈ Σₖ βₖ Lₑ(xₖ),   β₀ = 1,   βₖ₊₁ = βₖ · f(ωₒ, ωᵢ) |cos θᵢ| / p(ωᵢ)
+    /// ```
+    ///
+    /// The rendering equation [Kajiya86] with N = 1 at every hit, unrolled into a loop: the review's
+    /// second listing with the factors that it lacks (errata 16), and with lamps that reflect
+    /// (errata 21).
+    pub fn incident_radiance(&self, mut ray: Ray, sampler: &mut Sampler) -> Rgb {
+        let mut radiance = Rgb::ZERO;
+        let mut throughput = Rgb::ONE; // β
+        let mut squeezed = 1.0; // how often radiance counts because of refraction, a part of β
+        let mut media = self.at_eye;
+        let mut events = 0;
+        self.probe.tell(|| format!("camera ray from {} along {}", ray.origin, ray.direction));
+
+        for _ in 0..self.longest {
+            let Some(hit) = self.geometry.intersect(&ray) else {
+                self.probe.tell(|| "the ray leaves the scene".to_owned());
+                radiance += throughput * self.scene.background;
+                break;
+            };
+            let mut surface = self.scene.surface(&ray, &hit);
+            if GLASS {
+                surface = self.boundaries.opaque_contact(&ray, surface);
+            }
+            self.probe.tell(|| format!("hits {:?} at {}", surface.hit, surface.position));
+            radiance += throughput * self.materials.emitted(&surface);
+            if events == self.ending.depth {
+                self.probe.tell(|| "the depth ends the path".to_owned());
+                self.probe.count(Counter::PathsEndedByDepth, 1);
+                break;
+            }
+
+            let kind = match *self.materials.at(&surface) {
+                Material::Matte { kd, map_kd, lobe } => {
+                    let brdf = self.materials.brdf(&surface, kd, map_kd, lobe);
+                    if brdf.is_black() {
+                        self.probe.tell(|| "the surface reflects nothing".to_owned());
+                        self.probe.count(Counter::PathsEndedByBlack, 1);
+                        break;
+                    }
+                    let Some(scattered) = brdf.sample(self.density, sampler) else {
+                        self.probe.tell(|| "the direction drawn leads below the surface".to_owned());
+                        break;
+                    };
+                    throughput *= scattered.weight; // f |cos θᵢ| / p
+                    ray = surface.spawn(scattered.wi);
+                    Counter::ScatterRays
+                }
+                Material::Mirror { kr } => {
+                    throughput *= kr;
+                    ray = surface.spawn(mirror_direction(self.scene, &surface));
+                    Counter::ReflectionRays
+                }
+                Material::Glass if !GLASS => break, // there is none: no code is made for it
+                Material::Glass => {
+                    let crossing = self.boundaries.crossing(&ray, &surface, &media);
+                    if crossing.eta == 1.0 {
+                        throughput *= crossing.kt;
+                        media = crossing.beyond;
+                        ray = crossing.far.spawn(ray.direction);
+                        continue;
+                    }
+                    let split = split(self.scene, &surface, crossing.eta);
+                    // Each way is taken as often as it has light, so the weight of both is 1.
+                    let u = sampler.next_1d();
+                    match split.refracted {
+                        Some(refracted) if u >= split.reflectance => {
+                            let eta2 = crossing.eta * crossing.eta;
+                            throughput *= crossing.kt * eta2;
+                            squeezed *= eta2;
+                            media = crossing.beyond;
+                            ray = crossing.far.spawn(refracted);
+                            Counter::RefractionRays
+                        }
+                        _ => {
+                            ray = crossing.near.spawn(split.reflected);
+                            Counter::ReflectionRays
+                        }
+                    }
+                }
+            };
+            events += 1;
+
+            // Light that is squeezed by glass will be spread again: it must not end a path.
+            let q = self.ending.roulette.survival(throughput / squeezed, events);
+            if q < 1.0 {
+                if sampler.next_1d() >= q {
+                    self.probe.tell(|| format!("roulette ends the path, which had q = {q}"));
+                    self.probe.count(Counter::PathsEndedByRoulette, 1);
+                    break;
+                }
+                throughput /= q;
+            }
+            self.probe.count(kind, 1);
+            self.probe.tell(|| format!("{kind:?} {events}: throughput {throughput}"));
+        }
+        radiance
+    }
+    // ANCHOR_END: incident_radiance
+}

@@ -1,0 +1,222 @@
+//! The path that asks the lamps at every hit.
+
+use blinn_phong::Picture;
+use glam::Vec3;
+use mirror_refraction::{Boundaries, Media, mirror_direction, split};
+use path_tracing::Ending;
+use ray_casting::{Intersect, Ray, Rgb, Scene, SurfacePoint};
+use rendering_equation::{Brdf, Density, Material, Materials};
+use workbench::{Counter, Probe, Sampler};
+
+use crate::heuristic::{Estimator, Heuristic};
+use crate::lights::Lights;
+
+/// How light is looked for, and where paths end.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings {
+    /// How lamps are found.
+    pub estimator: Estimator,
+    /// How both ways are weighed, where both are used.
+    pub heuristic: Heuristic,
+    /// How paths end.
+    pub ending: Ending,
+}
+
+/// Path tracing with light sampling, over whatever finds the hits. `GLASS`: whether the scene has
+/// any; without it, nothing that has to do with it is compiled in.
+pub struct LightTracer<'a, G, P, const GLASS: bool> {
+    scene: &'a Scene,
+    materials: Materials<'a>,
+    lights: Lights,
+    geometry: &'a G,
+    probe: &'a P,
+    settings: Settings,
+    boundaries: Boundaries<'a>,
+    at_eye: Media,
+}
+
+/// Where a path was scattered last, if light sampling could have found what it meets next.
+#[derive(Clone, Copy)]
+struct Scattering {
+    position: Vec3,
+    facing: Vec3,
+    pdf_solid_angle: f32,
+}
+
+impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS> {
+    /// A tracer for the surfaces that `geometry`, the searchable form of the scene's own, finds.
+    pub fn new(
+        scene: &'a Scene,
+        pictures: &'a [Picture],
+        geometry: &'a G,
+        probe: &'a P,
+        settings: Settings,
+    ) -> Self {
+        let boundaries = Boundaries::new(scene);
+        let at_eye = boundaries.media_at_eye(geometry);
+        let materials = Materials::new(scene, pictures);
+        let lights = Lights::new(scene);
+        Self { scene, materials, lights, geometry, probe, settings, boundaries, at_eye }
+    }
+
+    // ANCHOR: incident_radiance
+    /// A one-sample estimate of Lᵢ, the radiance that arrives against `ray`, in W m⁻² sr⁻¹.
+    ///
+    /// ```text
+    /// Lᵢ ≈ Σₖ βₖ [ w_s Lₑ(xₖ) + w_l f(ωₒ, ω) |cos θ| V Lₑ(y) / p_l(ω) ]
+    /// ```
+    ///
+    /// At every hit, a point y of a lamp is drawn with density p_l and asked for its light; the lamps
+    /// that the path itself runs into were found with the density of the scattering. The weights
+    /// w_s + w_l = 1 make sure that no lamp is counted twice [VeachGuibas95].
+    pub fn incident_radiance(&self, mut ray: Ray, sampler: &mut Sampler) -> Rgb {
+        let mut radiance = Rgb::ZERO;
+        let mut throughput = Rgb::ONE; // β
+        let mut squeezed = 1.0; // how often radiance counts because of refraction, a part of β
+        let mut media = self.at_eye;
+        let mut events = 0;
+        let mut last = None;
+        let Ending { depth, roulette } = self.settings.ending;
+        self.probe.tell(|| format!("camera ray from {} along {}", ray.origin, ray.direction));
+
+        for _ in 0..=depth.saturating_add(self.boundaries.most_crossings()) {
+            let Some(hit) = self.geometry.intersect(&ray) else {
+                self.probe.tell(|| "the ray leaves the scene".to_owned());
+                let pdf = |last: &Scattering| self.lights.pdf_of_sky(last.facing, ray.direction);
+                radiance += throughput * self.scene.background * self.weight_of_meeting(last, pdf);
+                break;
+            };
+            let mut surface = self.scene.surface(&ray, &hit);
+            if GLASS {
+                surface = self.boundaries.opaque_contact(&ray, surface);
+            }
+            self.probe.tell(|| format!("hits {:?} at {}", surface.hit, surface.position));
+            let emitted = self.materials.emitted(&surface);
+            if emitted != Rgb::ZERO {
+                let pdf = |last: &Scattering| self.lights.pdf_of_lamp(last.position, &surface);
+                radiance += throughput * emitted * self.weight_of_meeting(last, pdf);
+            }
+            if events == depth {
+                self.probe.count(Counter::PathsEndedByDepth, 1);
+                break;
+            }
+
+            let kind = match *self.materials.at(&surface) {
+                Material::Matte { kd, map_kd, lobe } => {
+                    let brdf = self.materials.brdf(&surface, kd, map_kd, lobe);
+                    if brdf.is_black() {
+                        self.probe.count(Counter::PathsEndedByBlack, 1);
+                        break;
+                    }
+                    if self.settings.estimator != Estimator::Scatter {
+                        radiance += throughput * self.light_from_lamps(&surface, &brdf, sampler);
+                    }
+                    let Some(scattered) = brdf.sample(Density::Cosine, sampler) else { break };
+                    throughput *= scattered.weight; // f |cos θᵢ| / p
+                    ray = surface.spawn(scattered.wi);
+                    last = Some(Scattering {
+                        position: surface.position,
+                        facing: brdf.facing,
+                        pdf_solid_angle: scattered.pdf_solid_angle,
+                    });
+                    Counter::ScatterRays
+                }
+                Material::Mirror { kr } => {
+                    self.probe.count(Counter::ShadowRaysDelta, 1);
+                    throughput *= kr;
+                    ray = surface.spawn(mirror_direction(self.scene, &surface));
+                    last = None;
+                    Counter::ReflectionRays
+                }
+                Material::Glass => {
+                    let crossing = self.boundaries.crossing(&ray, &surface, &media);
+                    last = None; // no shadow ray passes glass, not even of index 1
+                    if crossing.eta == 1.0 {
+                        throughput *= crossing.kt;
+                        media = crossing.beyond;
+                        ray = crossing.far.spawn(ray.direction);
+                        continue;
+                    }
+                    self.probe.count(Counter::ShadowRaysDelta, 1);
+                    let split = split(self.scene, &surface, crossing.eta);
+                    // Each way is taken as often as it has light, so the weight of both is 1.
+                    let u = sampler.next_1d();
+                    match split.refracted {
+                        Some(refracted) if u >= split.reflectance => {
+                            let eta2 = crossing.eta * crossing.eta;
+                            throughput *= crossing.kt * eta2;
+                            squeezed *= eta2;
+                            media = crossing.beyond;
+                            ray = crossing.far.spawn(refracted);
+                            Counter::RefractionRays
+                        }
+                        _ => {
+                            ray = crossing.near.spawn(split.reflected);
+                            Counter::ReflectionRays
+                        }
+                    }
+                }
+            };
+            events += 1;
+
+            // Light that is squeezed by glass will be spread again: it must not end a path.
+            let q = roulette.survival(throughput / squeezed, events);
+            if q < 1.0 {
+                if sampler.next_1d() >= q {
+                    self.probe.count(Counter::PathsEndedByRoulette, 1);
+                    break;
+                }
+                throughput /= q;
+            }
+            self.probe.count(kind, 1);
+            self.probe.tell(|| format!("{kind:?} {events}: throughput {throughput}"));
+        }
+        radiance
+    }
+
+    /// w_l f |cos θ| V Lₑ / p_l of one direction toward a light; no ray where nothing can arrive.
+    fn light_from_lamps(&self, surface: &SurfacePoint, brdf: &Brdf, sampler: &mut Sampler) -> Rgb {
+        let Some(light) = self.lights.sample(surface, sampler) else {
+            self.probe.count(Counter::ShadowRaysFacingAway, 1);
+            return Rgb::ZERO;
+        };
+        if !brdf.is_above(light.wi) {
+            self.probe.count(Counter::ShadowRaysFacingAway, 1);
+            return Rgb::ZERO;
+        }
+        let reflected = brdf.eval(light.wi) * (brdf.cos_theta(light.wi) / light.pdf_solid_angle);
+        let reflected = reflected * light.radiance;
+        if reflected == Rgb::ZERO {
+            self.probe.count(Counter::ShadowRaysNothingToReflect, 1);
+            return Rgb::ZERO;
+        }
+        self.probe.count(Counter::ShadowRays, 1);
+        let visible = !self.geometry.occluded(&light.shadow_ray(surface));
+        self.probe.tell(|| format!("light along {}: {reflected}, visible: {visible}", light.wi));
+        match (visible, self.settings.estimator) {
+            (false, _) => Rgb::ZERO,
+            (true, Estimator::Mis) if !light.is_delta => {
+                let pdf = brdf.pdf(Density::Cosine, light.wi);
+                reflected * self.settings.heuristic.weight(light.pdf_solid_angle, pdf)
+            }
+            (true, _) => reflected,
+        }
+    }
+
+    /// w_s of light that the path has run into. `pdf` is the density with which light sampling would
+    /// have drawn it; what it could not draw counts in full.
+    fn weight_of_meeting(
+        &self,
+        last: Option<Scattering>,
+        pdf: impl FnOnce(&Scattering) -> f32,
+    ) -> f32 {
+        match (self.settings.estimator, last) {
+            (Estimator::Scatter, _) | (_, None) => 1.0,
+            (Estimator::Light, Some(_)) => 0.0,
+            (Estimator::Mis, Some(last)) => {
+                self.settings.heuristic.weight(last.pdf_solid_angle, pdf(&last))
+            }
+        }
+    }
+    // ANCHOR_END: incident_radiance
+}

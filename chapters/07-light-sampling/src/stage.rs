@@ -1,0 +1,55 @@
+//! What this stage is called, and what it adds to the command line.
+
+use clap::Args;
+use path_tracing::Ends;
+use ray_casting::{Intersect, Scene};
+use rendering_equation::{Job, Renderer, simplifications};
+use workbench::{Error, Film, Probe, Run, Stage};
+
+use crate::heuristic::{Estimator, Heuristic};
+use crate::radiance::{LightTracer, Settings};
+
+/// The name of this stage, and what it does when the command line says nothing.
+pub const STAGE: Stage = Stage {
+    name: "light-sampling",
+    about: "Follows random paths and samples the lights at every hit",
+    scene: "cornell-box",
+    samples: 64,
+    depth: None,
+    estimates: true,
+};
+
+/// The options of this chapter.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct Extra {
+    /// How lamps are found
+    #[arg(long, value_enum, default_value_t)]
+    pub estimator: Estimator,
+    /// How the two ways to find a lamp are weighed
+    #[arg(long, value_enum, default_value_t)]
+    pub heuristic: Heuristic,
+    /// How paths end
+    #[command(flatten)]
+    pub ends: Ends,
+}
+
+impl Renderer for Extra {
+    fn remarks(run: &Run<Self>, scene: &Scene) -> Result<Vec<String>, Error> {
+        run.options.stage.ends.ending(run.depth())?;
+        Ok(simplifications(scene))
+    }
+
+    fn render<G: Intersect, P: Probe, const GLASS: bool>(
+        job: &Job<'_, Self, P>,
+        geometry: &G,
+    ) -> Result<Film, Error> {
+        let Job { run, scene, pictures, probe } = *job;
+        let Self { estimator, heuristic, ends } = run.options.stage;
+        let settings = Settings { estimator, heuristic, ending: ends.ending(run.depth())? };
+        let tracer: LightTracer<'_, G, P, GLASS> =
+            LightTracer::new(scene, pictures, geometry, probe, settings);
+        run.render(scene.exposure, probe, |film_point, sampler| {
+            tracer.incident_radiance(scene.camera.ray(film_point), sampler)
+        })
+    }
+}
