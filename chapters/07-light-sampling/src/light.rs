@@ -1,7 +1,7 @@
 //! The kinds of light.
 
 use glam::Vec3;
-use ray_casting::{EndPoint, Ray, Rgb, SurfacePoint};
+use ray_casting::{EndPoint, Ray, Rgb, SurfacePoint, math::gamma};
 use rendering_equation::Lambert;
 
 use crate::sphere_lamp::SphereLamp;
@@ -46,11 +46,19 @@ pub struct LightSample {
 
 impl LightSample {
     /// The ray that finds out whether something is in the way.
+    ///
+    /// Its direction is rounded, so far away it passes beside the end: by γ(3) of the way for each
+    /// axis. That much is added to the error of the end, or a lamp that is seen along its edge would
+    /// be met a long way before it.
     #[inline]
     #[must_use]
     pub fn shadow_ray(&self, surface: &SurfacePoint) -> Ray {
-        match &self.end {
-            Some(end) => surface.spawn_toward(end),
+        match self.end {
+            Some(mut end) => {
+                let path = end.position - surface.position;
+                end.position_error += gamma(3) * path.abs();
+                surface.spawn_toward(&end)
+            }
             None => surface.spawn(self.wi),
         }
     }
@@ -95,16 +103,14 @@ impl Light {
     /// How much it sends out in all, in W, added up over the colours. `radius` is that of a sphere
     /// around the scene: the sky sends through it what could reach something.
     #[must_use]
-    pub fn power(&self, radius: f32) -> f64 {
+    pub fn power(&self, radius: f64) -> f64 {
         use std::f64::consts::PI;
         let sum = |rgb: &Rgb| f64::from(rgb.x) + f64::from(rgb.y) + f64::from(rgb.z);
         match self {
             Self::Triangle(lamp) => PI * lamp.area() * sum(&lamp.radiance),
             Self::Sphere(lamp) => PI * lamp.area() * sum(&lamp.radiance),
             Self::Point { intensity, .. } => 4.0 * PI * sum(intensity),
-            Self::Sky { radiance } => {
-                4.0 * PI * PI * f64::from(radius) * f64::from(radius) * sum(radiance)
-            }
+            Self::Sky { radiance } => 4.0 * PI * PI * radius * radius * sum(radiance),
         }
     }
 }

@@ -104,12 +104,17 @@ impl Lights {
     // ANCHOR_END: sample
 }
 
-/// The radius of a sphere around everything, in scene units.
-fn radius(geometry: &Geometry) -> f32 {
+/// The radius of a sphere around everything, in scene units; 1 if there is nothing.
+fn radius(geometry: &Geometry) -> f64 {
     let spheres = geometry.spheres.iter();
     let ends = spheres.flat_map(|s| [s.center - s.radius, s.center + s.radius]);
-    let points = || geometry.vertices.iter().copied().chain(ends.clone());
-    let (min, max) =
-        (points().fold(Vec3::INFINITY, Vec3::min), points().fold(Vec3::NEG_INFINITY, Vec3::max));
-    if min.cmple(max).all() { 0.5 * min.distance(max) } else { 1.0 }
+    let points = geometry.vertices.iter().copied().chain(ends);
+    let nothing = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+    let (min, max) = points.fold(nothing, |(min, max), p| (min.min(p), max.max(p)));
+    if !min.cmple(max).all() {
+        return 1.0;
+    }
+    // In double precision, since the square of a large scene overflows.
+    let diagonal = min.as_dvec3().distance(max.as_dvec3());
+    0.5 * diagonal.min(f64::from(f32::MAX))
 }

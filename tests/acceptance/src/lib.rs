@@ -6,4 +6,4 @@ mod folder;
 mod stages;
 
 pub use folder::Folder;
-pub use stages::{STAGES, binary};
+pub use stages::{ESTIMATING, STAGES, binary};

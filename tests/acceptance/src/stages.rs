@@ -6,8 +6,19 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 /// The packages of all stages so far, in the order of the chapters.
-pub const STAGES: [&str; 5] =
-    ["workbench", "ray-casting", "blinn-phong", "mirror-refraction", "bv-tree"];
+pub const STAGES: [&str; 8] = [
+    "workbench",
+    "ray-casting",
+    "blinn-phong",
+    "mirror-refraction",
+    "bv-tree",
+    "rendering-equation",
+    "path-tracing",
+    "light-sampling",
+];
+
+/// Those that estimate an integral, and know how far off they are.
+pub const ESTIMATING: [&str; 3] = ["rendering-equation", "path-tracing", "light-sampling"];
 
 /// The binary of a stage, built first if it is not up to date.
 ///

@@ -1,6 +1,6 @@
 //! A command line that is wrong: status 2, a remedy, and no file.
 
-use acceptance::{Folder, STAGES};
+use acceptance::{ESTIMATING, Folder, STAGES};
 
 use crate::scenes::{BALL, scene};
 
@@ -16,8 +16,6 @@ fn a_wrong_option_is_an_error_2() {
         ("--threads 0", "from 1 to"),
         ("--seed x", "invalid"),
         ("--pixel 24,0", "columns are 0 to 23"),
-        ("--time 10s", "--samples"),
-        ("--error 1%", "--samples"),
         ("-o a.jpg", ".png"),
         ("-o a.png --stats a.png", "same file"),
         ("--sampels 3", "--samples"),
@@ -25,6 +23,16 @@ fn a_wrong_option_is_an_error_2() {
     for (stage, (option, part)) in STAGES.iter().flat_map(|s| wrong.map(|w| (s, w))) {
         let message = folder.complaint(stage, &format!("s.toml {option}"), 2);
         assert!(message.contains(part), "{stage} {option}: no `{part}` in: {message}");
+    }
+    let estimating = ["--time 0s", "--time=-1s", "--error 0%", "--error 5", "--error nan%"];
+    for stage in STAGES {
+        let options: &[&str] =
+            if ESTIMATING.contains(&stage) { &estimating } else { &["--time 10s", "--error 1%"] };
+        for option in options {
+            let message = folder.complaint(stage, &format!("s.toml {option}"), 2);
+            let name = option.split([' ', '=']).next().expect("a name");
+            assert!(message.contains(name), "{stage} {option}: no `{name}` in: {message}");
+        }
     }
     let own = [
         ("ray-casting", "--show nromal", "normal"),
@@ -34,6 +42,13 @@ fn a_wrong_option_is_an_error_2() {
         ("bv-tree", "--volume aab", "aabb"),
         ("bv-tree", "--builder sha", "sah"),
         ("bv-tree", "--cutoff 2", "cutoff"),
+        ("rendering-equation", "--branching 0", "branching"),
+        ("rendering-equation", "--density cos", "cosine"),
+        ("path-tracing", "--roulette 0", "roulette"),
+        ("path-tracing", "--roulette nan", "roulette"),
+        ("path-tracing", "--roulette off", "--depth"),
+        ("light-sampling", "--estimator both", "mis"),
+        ("light-sampling", "--heuristic powre", "power"),
     ];
     for (stage, option, part) in own {
         let message = folder.complaint(stage, &format!("s.toml {option}"), 2);

@@ -1,14 +1,12 @@
 //! Scenes that are odd and not wrong: a picture without a sample that is not finite.
 
-use acceptance::Folder;
+use acceptance::{Folder, STAGES};
 use serde_json::Value;
 
 use crate::scenes::{BALL, scene};
 
-const SHADING: [&str; 4] = ["ray-casting", "blinn-phong", "mirror-refraction", "bv-tree"];
-
 fn check(case: &str, folder: &Folder, name: &str) {
-    for stage in SHADING {
+    for stage in STAGES.into_iter().filter(|&stage| stage != "workbench") {
         let arguments = format!("{name} --size 32x24 --samples 4 --quiet --stats - -o a.png");
         let output = folder.run(stage, &arguments, 0);
         let all: Value = serde_json::from_slice(&output.stdout).expect("nothing but JSON");
