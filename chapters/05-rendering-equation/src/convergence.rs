@@ -38,7 +38,7 @@ pub struct Course {
     pub sampling: Sampling,
     /// One row for each N.
     pub rows: Vec<Row>,
-    /// The line through the typical errors; `None` if there are none.
+    /// The line through the typical errors for the larger N; `None` if there are none.
     pub slope: Option<Slope>,
 }
 
@@ -47,7 +47,8 @@ pub struct Course {
 pub struct Row {
     /// The estimate of the first run.
     pub estimate: Estimate,
-    /// The median of |error| over all runs.
+    /// The error over all runs: the root of the mean of its square, or, where the variance and with
+    /// it that mean is infinite, the median of its magnitude.
     pub typical_error: f64,
 }
 
@@ -82,21 +83,32 @@ impl Study {
         let estimates: Vec<Estimate> = (0..self.runs).map(estimate).collect();
         let mut errors: Vec<f64> = estimates.iter().map(|e| (e.mean - exact).abs()).collect();
         errors.sort_by(f64::total_cmp);
-        Row { estimate: estimates[0], typical_error: errors[errors.len() / 2] }
+        let typical_error = if self.has_infinite_variance(sampling) {
+            errors[errors.len() / 2]
+        } else {
+            (errors.iter().map(|error| error * error).sum::<f64>() / errors.len() as f64).sqrt()
+        };
+        Row { estimate: estimates[0], typical_error }
     }
 
-    /// Where the density imitates the function exactly, only rounding is left, and rows with an
-    /// error of nothing but rounding say nothing about a slope.
+    /// Where the density imitates the function exactly, only rounding is left, which is less than
+    /// this, and says nothing about a slope.
+    fn rounding(&self) -> f64 {
+        1e-6 * self.integrand.integral()
+    }
+
+    /// Laid through the rows from √(largest N) on: what is found rarely is not found at all with
+    /// few samples, and has no slope there.
     fn slope(&self, rows: &[Row]) -> Option<Slope> {
-        let rounding = 1e-6 * self.integrand.integral();
-        let errors = rows.iter().filter(|row| row.typical_error > rounding);
+        let large = |row: &&Row| row.estimate.samples * row.estimate.samples >= self.samples;
+        let errors = rows.iter().filter(large).filter(|row| row.typical_error > self.rounding());
         let points: Vec<[f64; 2]> = errors
             .map(|row| [row.estimate.samples as f64, row.typical_error].map(f64::ln))
             .collect();
         (points.len() >= 3).then(|| line_through(&points))
     }
 
-    /// The slope that theory predicts for the typical error.
+    /// The slope that theory predicts for the typical error when N is large enough.
     ///
     /// Let f fall as cosᵃ θ toward the horizon, and p as cosᵐ θ. The variance ∫ f²/p dω is finite if
     /// 2a − m > −1, and the slope is −1/2. Otherwise f/p exceeds w with a probability that falls as
@@ -146,7 +158,7 @@ mod tests {
         assert!(slope.standard_error < 1e-15, "standard error {}", slope.standard_error);
     }
 
-    /// Six medians of 200 runs each: the slope is uncertain by about 0.008.
+    /// Four means over 200 runs each, every one uncertain by 5 %: the slope is by about 0.016.
     #[test]
     fn errors_of_finite_variance_fall_as_the_square_root() {
         for integrand in Integrand::ALL {
@@ -154,12 +166,13 @@ mod tests {
                 let study = study(integrand);
                 let course = study.course(sampling);
                 let Some(slope) = course.slope else { continue };
-                // With few samples, most runs never look at the patch.
-                if integrand == Integrand::SkyPatch || study.has_infinite_variance(sampling) {
+                if study.has_infinite_variance(sampling) {
                     continue;
                 }
+                // With few samples, few runs ever look at the patch.
+                let tolerance = if integrand == Integrand::SkyPatch { 0.2 } else { 0.07 };
                 let error = (slope.exponent + 0.5).abs();
-                assert!(error < 0.05, "{integrand:?}, {sampling:?}: slope {}", slope.exponent);
+                assert!(error < tolerance, "{integrand:?}, {sampling:?}: slope {}", slope.exponent);
             }
         }
     }

@@ -86,7 +86,8 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> PathTracer<'a, G, P, GLASS> 
                         break;
                     }
                     let Some(scattered) = brdf.sample(self.density, sampler) else {
-                        self.probe.tell(|| "the direction drawn leads below the surface".to_owned());
+                        self.probe
+                            .tell(|| "the direction drawn leads below the surface".to_owned());
                         break;
                     };
                     throughput *= scattered.weight; // f |cos θᵢ| / p

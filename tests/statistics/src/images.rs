@@ -242,60 +242,64 @@ mod tests {
         }
     }
 
+    fn right(number: u64, samples: u32) -> Picture {
+        Picture::render(number, samples, |_, _| 0.0)
+    }
+
+    /// With the suite's rate of alarms: these tests must pass for fresh seeds, too.
     fn compared(first: &Picture, second: &Picture) -> Result<Agreement, String> {
-        let (a, b) = (first.noisy(16), second.noisy(32));
-        compare_images("pictures", SIZE, &a, &b, &Criterion::THREE_SIGMA)
+        compare_images("pictures", SIZE, &first.noisy(64), &second.noisy(96), &Criterion::SUITE)
     }
 
     #[test]
     fn two_renders_of_the_same_agree_and_tell_what_they_would_have_seen() {
-        let agreement =
-            compared(&Picture::render(21, 16, |_, _| 0.0), &Picture::render(22, 32, |_, _| 0.0))
-                .expect("both show the same");
+        let agreement = compared(&right(21, 64), &right(22, 96)).expect("both show the same");
         assert!(agreement.visible_bias < 0.01, "{agreement:?}");
         assert!(agreement.worst_block.z.abs() < agreement.block_limit, "{agreement:?}");
     }
 
     #[test]
-    fn a_picture_that_is_one_percent_brighter_is_found() {
-        let (right, bright) =
-            (Picture::render(21, 16, |_, _| 0.01), Picture::render(22, 32, |_, _| 0.0));
-        let sentence = compared(&right, &bright).expect_err("one percent");
+    fn a_ground_that_is_one_percent_brighter_is_found() {
+        let ground = |_, y| if y < 22 { 0.0 } else { 0.01 };
+        let sentence = compared(&Picture::render(21, 64, ground), &right(22, 96))
+            .expect_err("one percent is more than seven standard errors");
         assert!(sentence.contains("the means of red"), "{sentence}");
     }
 
+    /// One block is brighter, another nearly as much darker: the mean of the picture is right.
     #[test]
     fn a_fault_in_one_block_is_found_where_it_is() {
-        let fault = |x: usize, y: usize| {
-            let inside = (48..64).contains(&x) && (32..48).contains(&y);
-            if inside { 0.12 } else { 0.0 }
+        let fault = |x: usize, y: usize| match (x, y) {
+            (48..64, 32..48) => 0.08,
+            (16..32, 48..64) => -0.05,
+            _ => 0.0,
         };
-        let found = compared(&Picture::render(21, 16, fault), &Picture::render(22, 32, |_, _| 0.0));
-        let sentence = found.expect_err("a block is brighter");
+        let sentence = compared(&Picture::render(21, 64, fault), &right(22, 96))
+            .expect_err("eight percent are more than ten standard errors of a block");
         assert!(sentence.contains("block at (48, 32)"), "{sentence}");
     }
 
     #[test]
     fn rare_alarms_are_as_rare_as_stated() {
         let alarms = (0..100).filter(|i| {
-            let a = Picture::render(1000 + 2 * i, 8, |_, _| 0.0);
-            let b = Picture::render(1001 + 2 * i, 8, |_, _| 0.0);
+            let a = right(1000 + 2 * i, 8);
+            let b = right(1001 + 2 * i, 8);
             compare_images("same", SIZE, &a.noisy(8), &b.noisy(8), &Criterion::THREE_SIGMA).is_err()
         });
         // At most 4 × 0.27 % are expected; the channels share their samples, so fewer.
         let alarms = alarms.count();
-        assert!(alarms <= 8, "{alarms} alarms in 100 comparisons");
+        assert!(alarms <= 9, "{alarms} alarms in 100 comparisons");
     }
 
     #[test]
     fn what_has_no_noise_must_be_equal_up_to_rounding() {
-        let a = Picture::render(21, 16, |_, _| 0.0);
+        let a = right(21, 16);
         for (pixel, value, passes) in [
             (2105, [17.000_002, 17.0 * 0.31, 1.7], true),
             (2105, [17.01, 17.0 * 0.31, 1.7], false),
             (100, [1e-6, 0.0, 0.0], false),
         ] {
-            let mut b = Picture::render(21, 16, |_, _| 0.0);
+            let mut b = right(21, 16);
             b.mean[pixel] = value;
             let found = compared(&b, &a);
             // The lamp at 2105 lies in a noisy block: it is looked at by itself.
@@ -318,18 +322,18 @@ mod tests {
 
     #[test]
     fn what_is_not_finite_or_not_there_never_passes() {
-        let good = Picture::render(21, 16, |_, _| 0.0);
+        let good = right(21, 16);
         for broken in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-            let mut mean = Picture::render(21, 16, |_, _| 0.0);
+            let mut mean = right(21, 16);
             mean.mean[3000][1] = broken;
-            let mut variance = Picture::render(21, 16, |_, _| 0.0);
+            let mut variance = right(21, 16);
             variance.variance[3000][1] = broken;
             for picture in [&mean, &variance] {
                 assert!(compared(picture, &good).is_err(), "{broken} passes in the first");
                 assert!(compared(&good, picture).is_err(), "{broken} passes in the second");
             }
         }
-        let mut negative = Picture::render(21, 16, |_, _| 0.0);
+        let mut negative = right(21, 16);
         negative.variance[3000][1] = -1.0;
         assert!(compared(&negative, &good).is_err(), "a negative variance passes");
 

@@ -26,7 +26,7 @@ pub struct Command {
           value_parser = clap::value_parser!(u64).range(64..=1 << 32))]
     pub samples: u64,
 
-    /// Independent runs behind every typical error
+    /// Independent runs behind every rms or median error
     #[arg(long, value_name = "R", default_value_t = 101,
           value_parser = clap::value_parser!(u64).range(1..=1 << 20))]
     pub runs: u64,

@@ -13,7 +13,7 @@ pub(super) fn report(study: &Study, densities: &[Sampling]) -> String {
     for course in &courses {
         text.push_str(&table(study, course));
     }
-    text + &plot(&courses, study.runs)
+    text + &plot(&courses, study.runs, study.rounding())
 }
 
 // Writing to a String cannot fail, so the results are dropped.
@@ -23,7 +23,11 @@ fn table(study: &Study, course: &Course) -> String {
     let _ = writeln!(
         text,
         "{:>12} {:>12} {:>12} {:>15} {:>15}",
-        "N", "estimate", "error", "standard error", "typical error"
+        "N",
+        "estimate",
+        "error",
+        "standard error",
+        if study.has_infinite_variance(course.sampling) { "median error" } else { "rms error" }
     );
     for row in &course.rows {
         let (estimate, typical) = (&row.estimate, row.typical_error);
@@ -44,7 +48,7 @@ fn verdict(study: &Study, course: &Course) -> String {
             .to_owned();
     };
     let mut text = format!(
-        "slope of log error against log N: {:.3} ± {:.3}, expected {:.3}\n",
+        "slope of log error against log N: {:.3} ± {:.3}, expected {:.3} for large N\n",
         slope.exponent,
         slope.standard_error,
         study.expected_slope(course.sampling)

@@ -5,8 +5,8 @@ use super::Course;
 const WIDTH: usize = 61;
 const HEIGHT: usize = 17;
 
-/// The typical errors of all courses in one frame; empty if all are zero.
-pub(super) fn plot(courses: &[Course], runs: u64) -> String {
+/// The typical errors of all courses that are above `rounding`, in one frame; empty if none is.
+pub(super) fn plot(courses: &[Course], runs: u64, rounding: f64) -> String {
     let point = |course: &Course, i: usize| {
         let row = &course.rows[i];
         [row.estimate.samples as f64, row.typical_error].map(f64::log10)
@@ -15,7 +15,7 @@ pub(super) fn plot(courses: &[Course], runs: u64) -> String {
         .iter()
         .flat_map(|course| (0..course.rows.len()).map(move |i| (course, i)))
         .map(|(course, i)| (course.sampling.mark(), point(course, i)))
-        .filter(|(_, [_, error])| error.is_finite())
+        .filter(|(_, [_, error])| *error > rounding.log10())
         .collect();
     if points.is_empty() {
         return String::new();
@@ -39,17 +39,17 @@ pub(super) fn plot(courses: &[Course], runs: u64) -> String {
         .iter()
         .map(|course| format!("{} {}", course.sampling.mark(), course.sampling.heading()))
         .collect();
-    let mut text = format!("\ntypical error (median of {runs} runs) against N\n");
+    let mut text = format!("\nerror over {runs} runs (rms or median) against N\n");
     for (i, cells) in cells.iter().enumerate() {
         let exponent = bottom + height * (1.0 - i as f64 / (HEIGHT - 1) as f64);
         let label =
-            if i % 4 == 0 { format!("{:.0e}", 10_f64.powf(exponent)) } else { String::new() };
+            if i % 4 == 0 { format!("{:.1e}", 10_f64.powf(exponent)) } else { String::new() };
         let line: String = cells.iter().collect();
-        text += &format!("{label:>7} │{}\n", line.trim_end());
+        text += &format!("{label:>8} │{}\n", line.trim_end());
     }
     let n = |x: f64| format!("{:.0}", 10_f64.powf(x));
-    text += &format!("        └{}\n", "─".repeat(WIDTH));
-    text += &format!("         {:<30}{:>31}\n", n(left), n(left + width));
+    text += &format!("         └{}\n", "─".repeat(WIDTH));
+    text += &format!("          {:<30}{:>31}\n", n(left), n(left + width));
     text += &format!("  {}; * several\n", names.join("; "));
     text
 }

@@ -15,7 +15,7 @@ use crate::scenes::{
 /// The bias that tests of this file must be able to see. Chance alone is at chapter 6's mercy: it
 /// has to show no more than that it finds the same.
 fn visible(estimator: Estimator) -> f64 {
-    if estimator == Estimator::Scatter { 0.03 } else { 0.01 }
+    if estimator == Estimator::Scatter { 0.04 } else { 0.02 }
 }
 
 /// Asserts what arrives against a ray.
@@ -27,9 +27,9 @@ fn assert_radiance(name: &str, scene: &Scene, settings: Settings, ray: Ray, n: u
 
 /// Asserts the irradiance E of the receiver, with all estimators. Its albedo is 1: L = E/π.
 ///
-/// By chance, E/π of the directions find the lamp. As many samples as show 3 % of that are taken.
+/// By chance, E/π of the directions find the lamp. As many samples as show 4 % of that are taken.
 fn assert_irradiance(name: &str, scene: &Scene, n: u32, expected: f64) {
-    let by_chance = 60_000 + (60_000.0 * PI / expected) as u32;
+    let by_chance = 60_000 + (40_000.0 * PI / expected) as u32;
     for (estimator, n) in ESTIMATORS.into_iter().zip([by_chance, n, n]) {
         assert_radiance(name, scene, limited(estimator, 1), at_receiver(), n, expected / PI);
     }
@@ -140,7 +140,7 @@ fn a_sphere_light_on_the_horizon_has_its_closed_form() {
         let expected =
             (cos * libm::acos(y) - x * sin * root) / (h * h) + libm::atan(sin * root / x);
         assert!((expected - value).abs() < 1e-7, "({beta}, {h}): {expected}, not {value}");
-        assert_irradiance(&format!("E6, β = {beta}"), &sphere_light(beta, h), 1_000_000, expected);
+        assert_irradiance(&format!("E6, β = {beta}"), &sphere_light(beta, h), 600_000, expected);
     }
 }
 
