@@ -81,7 +81,7 @@ mod tests {
     /// ∬ G / π is 0.199825 (Howell's catalogue, C-11).
     #[test]
     fn the_geometry_term_gives_the_form_factor_of_two_squares() {
-        let n: u16 = 16;
+        let n: u16 = 20;
         let at = |i: u16| (f32::from(i) + 0.5) / f32::from(n);
         let mut sum = 0.0_f64;
         for (a, b) in (0..n).flat_map(|a| (0..n).map(move |b| (a, b))) {

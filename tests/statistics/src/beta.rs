@@ -79,8 +79,8 @@ pub fn binomial_at_most(successes: u64, trials: u64, p: f64) -> f64 {
 /// Iₓ(a, b) = ∫₀ˣ tᵃ⁻¹ (1 − t)ᵇ⁻¹ dt / B(a, b)
 /// ```
 ///
-/// A continued fraction (Abramowitz and Stegun 26.5.8) that converges fast below the mean; above it,
-/// Iₓ(a, b) = 1 − I₁₋ₓ(b, a).
+/// A continued fraction (Abramowitz and Stegun 26.5.8) that converges fast below the mean; above
+/// it, Iₓ(a, b) = 1 − I₁₋ₓ(b, a).
 ///
 /// # Panics
 /// If an argument is outside these ranges.

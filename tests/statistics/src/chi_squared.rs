@@ -22,8 +22,8 @@ pub struct ChiSquared {
     pub degrees: u32,
     /// The probability of a larger χ² by chance.
     pub p: f64,
-    /// The root mean square of the cells' relative errors, each cell weighed by its probability, that
-    /// would have been noticed with a probability of about 99 %.
+    /// The root mean square of the cells' relative errors, each cell weighed by its probability,
+    /// that would have been noticed with a probability of about 99 %.
     pub visible_deviation: f64,
 }
 
@@ -166,8 +166,8 @@ mod tests {
         assert_eq!(test.degrees, 3, "degrees of freedom");
     }
 
-    /// Weldon's 26306 throws of 12 dice (Pearson 1900): 5 and 6 came 106602 times in 315672, which is
-    /// 5.2 standard errors more than a third.
+    /// Weldon's 26306 throws of 12 dice (Pearson 1900): 5 and 6 came 106602 times in 315672, which
+    /// is 5.2 standard errors more than a third.
     #[test]
     fn weldons_dice_are_not_fair() {
         let expected = [315_672.0 * 2.0 / 3.0, 315_672.0 / 3.0];

@@ -8,7 +8,8 @@ use std::f64::consts::{PI, TAU};
 /// How far from 1 the square of a direction's length may be.
 const UNIT_LENGTH: f64 = 1e-5;
 
-/// The error that an expected count may have, in samples. It adds 10⁻⁵ to χ² where 100 are expected.
+/// The error that an expected count may have, in samples. It adds 10⁻⁵ to χ² where 100 are
+/// expected.
 const COUNT_ERROR: f64 = 0.03;
 
 /// Rows and columns of the coarse grid that is tested beside the fine one.
@@ -137,8 +138,8 @@ fn integrals(
 pub enum Rejected {
     /// The sampler always gives a direction: a `None` is a failure, and ∫ pdf dω must be 1.
     Never,
-    /// The sampler may give none, with the probability 1 − ∫ pdf dω that the density leaves (such as
-    /// directions below the surface): it is tested as one more cell.
+    /// The sampler may give none, with the probability 1 − ∫ pdf dω that the density leaves (such
+    /// as directions below the surface): it is tested as one more cell.
     Remainder,
 }
 
@@ -237,8 +238,8 @@ pub fn check_directions(
     let mut expected: Vec<f64> = integrals.iter().map(|integral| n * integral).collect();
     expected.push(if rejected == Rejected::Never { 0.0 } else { n * (1.0 - mass).max(0.0) });
 
-    // Each sample had a positive density: its cell is not empty, whatever the quadrature overlooked.
-    // The smallest of numbers lets it be joined with its neighbours.
+    // Each sample had a positive density: its cell is not empty, whatever the quadrature
+    // overlooked. The smallest of numbers lets it be joined with its neighbours.
     for (expected, _) in expected[..=cells].iter_mut().zip(&observed).filter(|(_, n)| **n > 0) {
         *expected = expected.max(f64::MIN_POSITIVE);
     }

@@ -7,10 +7,11 @@ const DEEPEST: u32 = 7;
 ///
 /// A rectangle whose four quarters agree with it to `tolerance` is done; otherwise each quarter is
 /// treated likewise with half the tolerance, up to 7 times. A smooth function is integrated to far
-/// less than `tolerance`: halving divides the error by 64. Along a step, such as a horizon that cuts
-/// through the rectangle, the remaining strips are 1/128 of it wide, and their errors have random
-/// signs: together a few thousandths of the rectangle's area. A step that lies on an edge costs nothing,
-/// because no point does; one that cuts off a corner of a twentieth may be overlooked.
+/// less than `tolerance`: halving divides the error by 64. Along a step, such as a horizon that
+/// cuts through the rectangle, the remaining strips are 1/128 of it wide, and their errors have
+/// random signs: together a few thousandths of the rectangle's area. A step that lies on an edge
+/// costs nothing, because no point does; one that cuts off a corner of a twentieth may be
+/// overlooked.
 pub fn integrate_rectangle(
     f: &mut impl FnMut(f64, f64) -> f64,
     x: [f64; 2],

@@ -2,7 +2,8 @@
 
 /// relMSE = mean over pixels and channels of (x − ref)² / (ref² + 0.01).
 ///
-/// Infinite if a value is not finite. To compare it with a renderer's true error, subtract the reference's own expected relMSE.
+/// Infinite if a value is not finite. To compare it with a renderer's true error, subtract the
+/// reference's own expected relMSE.
 ///
 /// # Panics
 /// If the pictures are not of the same size, or are empty.
@@ -28,6 +29,7 @@ mod tests {
         let error = relative_mean_squared_error(&[[1.5, 0.0, 2.0]], &[[1.0, 0.0, 2.0]]);
         assert!((error - 0.25 / 1.01 / 3.0).abs() < 1e-15, "relMSE = {error}");
     }
+
     /// A picture with a NaN is infinitely wrong, and no limit lets it pass.
     #[test]
     fn nan_is_no_small_error() {

@@ -1,7 +1,7 @@
 //! The review's listings, run as they are printed.
 
 use crate::as_printed::AsPrinted;
-use crate::mistakes::{Mistake, radiance};
+use crate::mistakes::{Mistake, Mistaken};
 use crate::scenes::{
     ROULETTE, anywhere, assert_sees, block, depth, found, gather, matte, room, scene, sphere,
 };
@@ -58,7 +58,8 @@ fn erratum_15_the_first_listing_grows_with_its_depth() {
     let scene = coloured_room();
     let down = vec3(0.2, -1.0, 0.1).normalize();
     let means = [1, 2, 3, 4, 6, 8].map(|most| {
-        let shade = printed(&scene, Density::Uniform, most, 40_000, down, |review, ray, s| {
+        let samples = if most <= 4 { 150_000 } else { 20_000 };
+        let shade = printed(&scene, Density::Uniform, most, samples, down, |review, ray, s| {
             review.first(ray, 0, 1, s)
         });
         shade.mean()
@@ -152,9 +153,8 @@ fn erratum_21_the_furnace_gives_one_as_printed() {
         let right = found(&scene, ROULETTE, Density::Cosine, 40_000, anywhere);
         assert_sees(0.01, "the furnace", &right, expected);
         // The loop of the chapter with only this mistake has the same answer.
-        let moments = gather(1_000, |s| {
-            radiance(&scene, Mistake::LampsOnlyShine, Density::Cosine, ROULETTE, anywhere(s), s)
-        });
+        let stops = Mistaken::new(&scene, Mistake::LampsOnlyShine, Density::Cosine, ROULETTE);
+        let moments = gather(1_000, |sampler| stops.radiance(anywhere(sampler), sampler));
         assert_eq!(moments.mean(), 1.0, "the loop that stops at lamps");
         assert!(check_mean("the furnace", &moments, expected).is_err(), "nobody would notice");
     }

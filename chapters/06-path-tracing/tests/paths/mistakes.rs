@@ -28,67 +28,76 @@ pub(crate) enum Mistake {
     LampsOnlyShine,
 }
 
-/// One path; `add` is told of each contribution, and of the number of events before it.
-pub(crate) fn follow(
-    scene: &Scene,
+/// The loop with that mistake.
+pub(crate) struct Mistaken<'a> {
+    scene: &'a Scene,
+    geometry: LinearSearch<'a, Unwatched>,
+    materials: Materials<'a>,
     mistake: Mistake,
     density: Density,
     ending: Ending,
-    mut ray: Ray,
-    sampler: &mut Sampler,
-    mut add: impl FnMut(u32, Rgb),
-) {
-    let geometry = LinearSearch::new(&scene.geometry, &Unwatched);
-    let materials = Materials::new(scene, &[]);
-    let mut throughput = Rgb::ONE;
-    for events in 0..=ending.depth {
-        let Some(hit) = geometry.intersect(&ray) else {
-            return add(events, throughput * scene.background);
-        };
-        let surface = scene.surface(&ray, &hit);
-        let emitted = materials.emitted(&surface);
-        add(events, throughput * emitted);
-        if events == ending.depth || mistake == Mistake::LampsOnlyShine && emitted != Rgb::ZERO {
-            return;
-        }
-        let &Material::Matte { kd, map_kd, lobe } = materials.at(&surface) else { return };
-        let brdf = materials.brdf(&surface, kd, map_kd, lobe);
-        if brdf.is_black() {
-            return;
-        }
-        let Some(scattered) = brdf.sample(density, sampler) else { return };
-        throughput *= match mistake {
-            Mistake::NoCosine => brdf.eval(scattered.wi) / scattered.pdf_solid_angle,
-            Mistake::NoDensity => brdf.eval(scattered.wi) * brdf.cos_theta(scattered.wi),
-            Mistake::OnePercent => scattered.weight * 1.01,
-            _ => scattered.weight,
-        };
-        ray = surface.spawn(scattered.wi);
-
-        let q = ending.roulette.survival(throughput, events + 1);
-        if q < 1.0 {
-            if sampler.next_1d() >= q {
-                return;
-            }
-            throughput /= match mistake {
-                Mistake::NeverDivides => 1.0,
-                Mistake::DividesTwice => q * q,
-                _ => q,
-            };
-        }
-    }
 }
 
-/// The sum of all contributions of one path.
-pub(crate) fn radiance(
-    scene: &Scene,
-    mistake: Mistake,
-    density: Density,
-    ending: Ending,
-    ray: Ray,
-    sampler: &mut Sampler,
-) -> Rgb {
-    let mut sum = Rgb::ZERO;
-    follow(scene, mistake, density, ending, ray, sampler, |_, part| sum += part);
-    sum
+impl<'a> Mistaken<'a> {
+    pub(crate) fn new(
+        scene: &'a Scene,
+        mistake: Mistake,
+        density: Density,
+        ending: Ending,
+    ) -> Self {
+        let geometry = LinearSearch::new(&scene.geometry, &Unwatched);
+        let materials = Materials::new(scene, &[]);
+        Self { scene, geometry, materials, mistake, density, ending }
+    }
+
+    /// What one path finds.
+    pub(crate) fn radiance(&self, ray: Ray, sampler: &mut Sampler) -> Rgb {
+        let mut sum = Rgb::ZERO;
+        self.follow(ray, sampler, |_, part| sum += part);
+        sum
+    }
+
+    /// One path; `add` is told of each contribution, and of the number of events before it.
+    pub(crate) fn follow(&self, mut ray: Ray, s: &mut Sampler, mut add: impl FnMut(u32, Rgb)) {
+        let mut throughput = Rgb::ONE;
+        for events in 0..=self.ending.depth {
+            let Some(hit) = self.geometry.intersect(&ray) else {
+                return add(events, throughput * self.scene.background);
+            };
+            let surface = self.scene.surface(&ray, &hit);
+            let emitted = self.materials.emitted(&surface);
+            add(events, throughput * emitted);
+            let stops = self.mistake == Mistake::LampsOnlyShine && emitted != Rgb::ZERO;
+            if events == self.ending.depth || stops {
+                return;
+            }
+            let &Material::Matte { kd, map_kd, lobe } = self.materials.at(&surface) else {
+                return;
+            };
+            let brdf = self.materials.brdf(&surface, kd, map_kd, lobe);
+            if brdf.is_black() {
+                return;
+            }
+            let Some(scattered) = brdf.sample(self.density, s) else { return };
+            throughput *= match self.mistake {
+                Mistake::NoCosine => brdf.eval(scattered.wi) / scattered.pdf_solid_angle,
+                Mistake::NoDensity => brdf.eval(scattered.wi) * brdf.cos_theta(scattered.wi),
+                Mistake::OnePercent => scattered.weight * 1.01,
+                _ => scattered.weight,
+            };
+            ray = surface.spawn(scattered.wi);
+
+            let q = self.ending.roulette.survival(throughput, events + 1);
+            if q < 1.0 {
+                if s.next_1d() >= q {
+                    return;
+                }
+                throughput /= match self.mistake {
+                    Mistake::NeverDivides => 1.0,
+                    Mistake::DividesTwice => q * q,
+                    _ => q,
+                };
+            }
+        }
+    }
 }

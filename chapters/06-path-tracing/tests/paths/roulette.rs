@@ -1,8 +1,8 @@
 //! The game that ends paths, and its variance.
 
-use crate::mistakes::{Mistake, radiance};
+use crate::mistakes::{Mistake, Mistaken};
 use crate::scenes::{
-    ROULETTE, anywhere, assert_sees, constant, found, matte, plates, scene, values, with_paths,
+    ROULETTE, across, assert_sees, constant, found, matte, plates, scene, values, with_paths,
 };
 use path_tracing::{Ending, Roulette};
 use ray_casting::{Rgb, Scene};
@@ -30,7 +30,7 @@ fn the_number_of_vertices_of_a_path_is_geometric() {
         let n = 200_000;
         let places = if q > 0.9 { 200 } else { 60 };
         let lengths: Vec<f64> = with_paths(&scene, constant(q), Density::Cosine, |follow| {
-            values(n, |sampler| follow(anywhere(sampler), sampler)).collect()
+            values(n, |sampler| follow(across(sampler), sampler)).collect()
         });
         let moments: Moments = lengths.iter().copied().collect();
         let q = f64::from(q);
@@ -71,15 +71,12 @@ fn second_moment(albedo: f64, roulette: Roulette) -> f64 {
 }
 
 /// For second moments.
-const PATHS: u64 = 200_000;
+const PATHS: u64 = 100_000;
 
 /// What each of so many paths finds.
 fn one_by_one(scene: &Scene, mistake: Mistake, ending: Ending) -> Vec<f64> {
-    let paths = values(PATHS, |sampler| {
-        let ray = anywhere(sampler);
-        radiance(scene, mistake, Density::Cosine, ending, ray, sampler)
-    });
-    paths.collect()
+    let paths = Mistaken::new(scene, mistake, Density::Cosine, ending);
+    values(PATHS, |sampler| paths.radiance(across(sampler), sampler)).collect()
 }
 
 /// Whether the second moment of `samples` paths is what it should be: the smallest visible bias.
@@ -104,12 +101,12 @@ fn the_variance_of_roulette_follows_its_law() {
             assert!((expected / law - 1.0).abs() < 1e-6, "{expected} for {law}");
         }
         let ending = Ending { depth: u32::MAX, roulette };
-        let paths: Moments = found(&scene, ending, Density::Cosine, PATHS, anywhere);
+        let paths: Moments = found(&scene, ending, Density::Cosine, PATHS, across);
         let right = one_by_one(&scene, Mistake::None, ending);
         let moments: Moments = right.iter().copied().collect();
         assert_eq!(moments, paths, "the loop of the tests, and the stage's");
         let bias = check_second_moment(&right, expected);
-        assert!(bias.as_ref().is_ok_and(|b| *b < 0.05), "ρ = {albedo}, {roulette:?}: {bias:?}");
+        assert!(bias.as_ref().is_ok_and(|b| *b < 0.08), "ρ = {albedo}, {roulette:?}: {bias:?}");
         let wrong = one_by_one(&scene, Mistake::NeverDivides, ending);
         let verdict = check_second_moment(&wrong, expected);
         assert!(verdict.is_err(), "ρ = {albedo}, {roulette:?}: the mistake was not found");
@@ -135,7 +132,7 @@ fn below_the_square_of_the_albedo_each_bounce_adds_to_the_variance() {
         let values = one_by_one(&scene, Mistake::None, ending);
         let moments: Moments = values.iter().copied().collect();
         let verdict = check_second_moment(&values, second);
-        assert!(verdict.as_ref().is_ok_and(|b| *b < 0.25), "D = {most}: {verdict:?}");
+        assert!(verdict.as_ref().is_ok_and(|b| *b < 0.3), "D = {most}: {verdict:?}");
         variances.push(moments.variance());
     }
     let grows = variances.windows(2).all(|pair| pair[1] > 1.5 * pair[0]);
@@ -146,7 +143,7 @@ fn below_the_square_of_the_albedo_each_bounce_adds_to_the_variance() {
 #[test]
 fn a_path_that_loses_nothing_ends() {
     let scene = scene(0.0, &(matte("white", 1.0, 0.0) + &plates("white")));
-    let moments = found(&scene, ROULETTE, Density::Cosine, 2_000, anywhere);
+    let moments = found(&scene, ROULETTE, Density::Cosine, 2_000, across);
     assert_eq!(moments.mean(), 0.0, "light in a dark room");
 }
 
@@ -156,7 +153,7 @@ fn a_path_that_loses_nothing_ends() {
 fn a_long_series_keeps_a_finite_variance() {
     let albedo = 0.99_f32;
     let expected = 1.0 / (1.0 - f64::from(albedo));
-    let moments = found(&furnace(albedo), ROULETTE, Density::Cosine, 20_000, anywhere);
+    let moments = found(&furnace(albedo), ROULETTE, Density::Cosine, 20_000, across);
     assert_sees(0.1, "ρ = 0.99", &moments, expected);
     let variance = second_moment(f64::from(albedo), Roulette::Throughput) - expected * expected;
     let ratio = moments.variance() / variance;

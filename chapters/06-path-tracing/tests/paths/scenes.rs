@@ -99,6 +99,11 @@ pub(crate) fn anywhere(sampler: &mut Sampler) -> Ray {
     Ray::new(Vec3::ZERO, uniform_sphere(sampler.next_2d()))
 }
 
+/// From the origin straight down.
+pub(crate) fn across(_: &mut Sampler) -> Ray {
+    Ray::new(Vec3::ZERO, Vec3::NEG_Z)
+}
+
 /// Calls `look` with a function that follows one path.
 pub(crate) fn with_paths<T>(
     scene: &Scene,

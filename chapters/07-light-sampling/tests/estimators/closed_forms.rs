@@ -15,7 +15,7 @@ use crate::scenes::{
 /// The bias that tests of this file must be able to see. Chance alone is at chapter 6's mercy: it
 /// has to show no more than that it finds the same.
 fn visible(estimator: Estimator) -> f64 {
-    if estimator == Estimator::Scatter { 0.04 } else { 0.02 }
+    if estimator == Estimator::Scatter { 0.07 } else { 0.03 }
 }
 
 /// Asserts what arrives against a ray.
@@ -27,9 +27,9 @@ fn assert_radiance(name: &str, scene: &Scene, settings: Settings, ray: Ray, n: u
 
 /// Asserts the irradiance E of the receiver, with all estimators. Its albedo is 1: L = E/π.
 ///
-/// By chance, E/π of the directions find the lamp. As many samples as show 4 % of that are taken.
+/// By chance, E/π of the directions find the lamp. As many samples as show 7 % of that are taken.
 fn assert_irradiance(name: &str, scene: &Scene, n: u32, expected: f64) {
-    let by_chance = 60_000 + (40_000.0 * PI / expected) as u32;
+    let by_chance = 40_000 + (12_000.0 * PI / expected) as u32;
     for (estimator, n) in ESTIMATORS.into_iter().zip([by_chance, n, n]) {
         assert_radiance(name, scene, limited(estimator, 1), at_receiver(), n, expected / PI);
     }
@@ -41,7 +41,7 @@ fn assert_irradiance(name: &str, scene: &Scene, n: u32, expected: f64) {
 #[test]
 fn a_closed_furnace_shines_with_one_over_one_minus_albedo() {
     let ray = Ray::new(vec3(0.1, -0.2, 0.15), vec3(0.3, 0.4, -0.8).normalize());
-    for (albedo, n) in [(0.5, 30_000), (0.8, 30_000), (0.95, 10_000)] {
+    for (albedo, n) in [(0.5, 30_000), (0.8, 30_000), (0.95, 6_000)] {
         let mut scene = dark([lamp(1.0, albedo)]);
         add_hollow_ball(&mut scene, 3, |_| 0);
         for estimator in ESTIMATORS {
@@ -78,7 +78,7 @@ fn an_integrating_sphere_is_evenly_bright() {
     let [wall, bright] = [vec3(-1.0, 1.0, -1.0), vec3(1.0, 1.0, 1.0)]
         .map(|direction| Ray::new(Vec3::ZERO, direction.normalize()));
     for estimator in ESTIMATORS {
-        let n = if estimator == Estimator::Scatter { 40_000 } else { 20_000 };
+        let n = if estimator == Estimator::Scatter { 20_000 } else { 10_000 };
         let settings = endless(estimator);
         assert_radiance("E3, wall", &scene, settings, wall, n, 1.0);
         assert_radiance("E3, lamp", &scene, settings, bright, n, 2.0);
@@ -140,7 +140,7 @@ fn a_sphere_light_on_the_horizon_has_its_closed_form() {
         let expected =
             (cos * libm::acos(y) - x * sin * root) / (h * h) + libm::atan(sin * root / x);
         assert!((expected - value).abs() < 1e-7, "({beta}, {h}): {expected}, not {value}");
-        assert_irradiance(&format!("E6, β = {beta}"), &sphere_light(beta, h), 600_000, expected);
+        assert_irradiance(&format!("E6, β = {beta}"), &sphere_light(beta, h), 300_000, expected);
     }
 }
 
@@ -166,7 +166,7 @@ fn flat_lamps_have_the_form_factors_of_the_catalogue() {
         ("perpendicular", perpendicular, 0.055_734_2),
         ("triangle", triangle, 0.096_225_0),
     ] {
-        assert_irradiance(&format!("E7, {name}"), &scene, 200_000, PI * factor);
+        assert_irradiance(&format!("E7, {name}"), &scene, 100_000, PI * factor);
     }
 }
 

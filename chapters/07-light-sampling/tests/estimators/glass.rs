@@ -26,9 +26,9 @@ fn glass_of_index_1_changes_no_light() {
     for (name, scene) in [("ball", in_ball), ("block", behind_block), ("half", half)] {
         for estimator in ESTIMATORS {
             // A face of index 1 is no event, but at the last event a path ends at any face.
-            let samples = radiance(&scene, limited(estimator, 2), at_receiver(), 300_000);
+            let samples = radiance(&scene, limited(estimator, 2), at_receiver(), 150_000);
             let bias = assert_mean(&format!("{name}, {estimator:?}"), &samples, 1.0 / 9.0);
-            assert!(bias <= 0.04, "{name}, {estimator:?}: only {bias} would be seen");
+            assert!(bias <= 0.06, "{name}, {estimator:?}: only {bias} would be seen");
         }
     }
 }
