@@ -6,6 +6,7 @@
 
 mod blinn_phong;
 pub(crate) mod bv_tree;
+pub(crate) mod light_sampling;
 mod mirror_refraction;
 mod ray_casting;
 mod workbench;
@@ -78,6 +79,7 @@ pub fn all() -> Vec<Figure> {
         blinn_phong::FIGURES,
         mirror_refraction::FIGURES,
         bv_tree::FIGURES,
+        light_sampling::FIGURES,
     ]
     .concat()
 }

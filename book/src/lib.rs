@@ -14,6 +14,7 @@
 
 pub mod axis;
 pub mod citations;
+pub mod course;
 pub mod figures;
 pub mod folder;
 pub mod formulas;

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use book::citations::Citations;
 use book::formulas::Formulas;
-use book::{Result, figures, measurements, pages};
+use book::{Result, course, figures, measurements, pages};
 use clap::{Parser, Subcommand};
 
 /// Build the book into target/book, and check every include, link and picture of it
@@ -36,6 +36,8 @@ enum Task {
         #[arg(long, value_name = "NAME", default_value = "")]
         only: String,
     },
+    /// Draw the same scene by every stage, with the same time for each (only in release)
+    Course,
     /// mdBook preprocessor: formulas to MathML (called by `mdbook build book`)
     Formulas {
         #[command(subcommand)]
@@ -76,6 +78,7 @@ fn run(root: &Path, task: Option<Task>) -> Result<ExitCode> {
         Some(Task::Figures { check: true, only }) => eprintln!("{}", figures::check(root, &only)?),
         Some(Task::Figures { check: false, only }) => figures::make(root, &only)?,
         Some(Task::Measurements { only }) => measurements::take(root, &only)?,
+        Some(Task::Course) => course::make(root)?,
         Some(Task::Formulas { question }) => return preprocess(&Formulas, question),
         Some(Task::Citations { question }) => return preprocess(&Citations, question),
     }

@@ -1,0 +1,17 @@
+//! The figures of chapter 7.
+
+mod cones;
+pub(crate) mod stage;
+mod tables;
+
+use super::Figure;
+
+pub(super) const FIGURES: &[Figure] = &[
+    Figure { file: "07-light-sampling/cornell.png", draw: stage::cornell },
+    Figure { file: "07-light-sampling/veach-plates.png", draw: stage::veach_plates },
+    Figure { file: "07-light-sampling/many-lights.png", draw: stage::many_lights },
+    Figure { file: "07-light-sampling/whitted.png", draw: stage::whitted },
+    Figure { file: "07-light-sampling/cones.svg", draw: cones::plot },
+    Figure { file: "07-light-sampling/errors.md", draw: tables::errors },
+    Figure { file: "07-light-sampling/rays.md", draw: tables::rays },
+];
