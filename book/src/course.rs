@@ -80,10 +80,13 @@ pub fn make(root: &Path) -> Result<()> {
     folder::write(&root.join("course.md"), table.markdown())
 }
 
+/// What a stage knows of a point of the film.
+type Radiance<'a> = dyn Fn(FilmPoint, &mut Sampler) -> Rgb + Sync + 'a;
+
 /// A stage at work: as many passes of one sample a pixel as fit into the time.
 struct Panel<'a> {
     name: &'static str,
-    radiance: Box<dyn Fn(FilmPoint, &mut Sampler) -> Rgb + Sync + 'a>,
+    radiance: Box<Radiance<'a>>,
     sum: Image,
     passes: u32,
     spent: Duration,
