@@ -8,6 +8,7 @@ mod blinn_phong;
 pub(crate) mod bv_tree;
 pub(crate) mod light_sampling;
 mod mirror_refraction;
+mod path_tracing;
 mod ray_casting;
 mod workbench;
 
@@ -79,6 +80,7 @@ pub fn all() -> Vec<Figure> {
         blinn_phong::FIGURES,
         mirror_refraction::FIGURES,
         bv_tree::FIGURES,
+        path_tracing::FIGURES,
         light_sampling::FIGURES,
     ]
     .concat()

@@ -39,19 +39,19 @@ impl Roulette {
     const STAKE: f32 = 0.3;
 
     /// Events after which every path is at stake, whatever its throughput.
-    const PATIENCE: u32 = 32;
+    const PATIENCE: u32 = 128;
 
     /// q, the probability to go on after this many scattering events with this throughput β.
     ///
     /// ```text
-    /// q = min(1, max(β) / stake),   from event 32 on also at most (n / (n + 1))²
+    /// q = min(1, max(β) / stake),   from event 128 on also at most (n / (n + 1))²
     /// ```
     ///
-    /// The survivors of the first rule all have the same throughput: no path is followed that counts
-    /// for less than the stake, and none comes to count for more than it had at the start. The
-    /// second rule is for paths that lose nothing, as those caught in glass: they too must end. Of
-    /// them (32/n)² get as far as event n, so that the mean length is finite; and a light that
-    /// dims as ρⁿ, for any ρ < 1, has a finite variance, as it would not have with a constant q ≤ ρ².
+    /// The survivors of the first rule all have the same throughput: no path is followed that
+    /// counts for less than the stake, and none comes to count for more than it had at the start.
+    /// The second rule is for paths that lose nothing, as those caught in glass: they too must end.
+    /// Of them (128/n)² get as far as event n, so that the mean length is finite; and a light that
+    /// dims as ρⁿ, for any ρ < 1, has a finite variance. With a constant q ≤ ρ² it would not.
     #[inline]
     #[must_use]
     pub fn survival(self, throughput: Rgb, events: u32) -> f32 {

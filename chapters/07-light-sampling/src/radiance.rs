@@ -33,6 +33,7 @@ pub struct LightTracer<'a, G, P, const GLASS: bool> {
     settings: Settings,
     boundaries: Boundaries<'a>,
     at_eye: Media,
+    longest: u32,
 }
 
 /// Where a path was scattered last, if light sampling could have found what it meets next.
@@ -56,7 +57,10 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS>
         let at_eye = boundaries.media_at_eye(geometry);
         let materials = Materials::new(scene, pictures);
         let lights = Lights::new(scene);
-        Self { scene, materials, lights, geometry, probe, settings, boundaries, at_eye }
+        // Before every event and after the last one, a ray may cross boundaries that are none.
+        let straight = boundaries.most_crossings().saturating_add(1);
+        let longest = settings.ending.depth.saturating_add(1).saturating_mul(straight);
+        Self { scene, materials, lights, geometry, probe, settings, boundaries, at_eye, longest }
     }
 
     // ANCHOR: incident_radiance
@@ -79,7 +83,7 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS>
         let Ending { depth, roulette } = self.settings.ending;
         self.probe.tell(|| format!("camera ray from {} along {}", ray.origin, ray.direction));
 
-        for _ in 0..=depth.saturating_add(self.boundaries.most_crossings()) {
+        for _ in 0..self.longest {
             let Some(hit) = self.geometry.intersect(&ray) else {
                 self.probe.tell(|| "the ray leaves the scene".to_owned());
                 let pdf = |last: &Scattering| self.lights.pdf_of_sky(last.facing, ray.direction);

@@ -36,8 +36,8 @@ fn printed(
     gather(samples, |sampler| shade(&review, ray, sampler))
 }
 
-/// Errata 15: ∫ p · (1/p) dω is the size of the hemisphere, 2π, whatever p is; tested with a mixture
-/// of the two densities, for which 1/p is bounded.
+/// Errata 15: ∫ p · (1/p) dω is the size of the hemisphere, 2π, whatever p is; tested with a
+/// mixture of the two densities, for which 1/p is bounded.
 #[test]
 fn erratum_15_the_mean_of_one_over_the_density_is_two_pi() {
     let lambert = Lambert { albedo: Rgb::ONE };
@@ -70,7 +70,7 @@ fn erratum_15_the_first_listing_grows_with_its_depth() {
     let steps = [means[1] - means[0], means[2] - means[1], means[3] - means[2]];
     for pair in steps.windows(2) {
         let ratio = pair[1] / pair[0];
-        assert!((5.0..6.3).contains(&ratio), "the steps {steps:?} grow by {ratio}");
+        assert!((4.5..7.5).contains(&ratio), "the steps {steps:?} grow by {ratio}");
     }
     assert!(means[5] > 10_000.0, "at a depth of 8: {means:?}");
 }

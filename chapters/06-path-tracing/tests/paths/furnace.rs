@@ -2,8 +2,8 @@
 
 use crate::mistakes::{Mistake, Mistaken};
 use crate::scenes::{
-    ROULETTE, across, anywhere, assert_sees, block, constant, depth, found, gather, matte, plates,
-    room, scene, sphere,
+    BOUNDED, ROULETTE, across, anywhere, assert_sees, block, constant, depth, found, gather, matte,
+    plates, room, scene, sphere,
 };
 use ray_casting::Scene;
 use rendering_equation::Density;
@@ -65,8 +65,8 @@ fn erratum_20_a_depth_limit_loses_albedo_to_the_power_of_depth_plus_one() {
     }
 }
 
-/// accuracy.md E9: under a constant sky, drawn in proportion to the cosine, every path of one bounce
-/// finds ρ L.
+/// accuracy.md E9: under a constant sky, drawn in proportion to the cosine, every path of one
+/// bounce finds ρ L.
 #[test]
 fn under_an_even_sky_every_path_finds_the_same() {
     let scene = scene(3.0, &(matte("grey", 0.3, 0.0) + &sphere([0.0, 0.0, -5.0], 1.0, "grey")));
@@ -106,7 +106,7 @@ fn a_lamp_that_fills_the_view_is_as_bright_from_anywhere() {
 fn the_furnace_finds_planted_mistakes() {
     let scene = furnace(0.8);
     let check = |mistake, density| {
-        let paths = Mistaken::new(&scene, mistake, density, ROULETTE);
+        let paths = Mistaken::new(&scene, mistake, density, BOUNDED);
         let moments = gather(30_000, |sampler| paths.radiance(anywhere(sampler), sampler));
         check_mean("ρ = 0.8", &moments, 5.0)
     };

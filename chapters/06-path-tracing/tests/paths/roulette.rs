@@ -55,10 +55,10 @@ fn the_number_of_vertices_of_a_path_is_geometric() {
 /// E[S²] = (1 + 2 ρ m) Σ ρᵏ βₖ, with the mean m = 1/(1 − ρ), and the throughput βₖ that a path has
 /// after k events.
 ///
-/// βₖ Pₖ = ρᵏ, if Pₖ is the probability to get there: that is what being unbiased means. A path that
-/// gets there finds βₖ, and all that comes after finds βₖ ρ m on average; so of the square of the
-/// sum, k and what follows it have Pₖ βₖ² (1 + 2 ρ m). With a constant q, βₖ = (ρ/q)ᵏ and the sum is
-/// 1/(1 − ρ²/q).
+/// βₖ Pₖ = ρᵏ, if Pₖ is the probability to get there: that is what being unbiased means. A path
+/// that gets there finds βₖ, and all that comes after finds βₖ ρ m on average; so of the square of
+/// the sum, k and what follows it have Pₖ βₖ² (1 + 2 ρ m). With a constant q, βₖ = (ρ/q)ᵏ and the
+/// sum is 1/(1 − ρ²/q).
 fn second_moment(albedo: f64, roulette: Roulette) -> f64 {
     let (mut sum, mut power, mut throughput) = (0.0, 1.0, 1.0);
     for events in 1..100_000 {
@@ -148,13 +148,13 @@ fn a_path_that_loses_nothing_ends() {
 }
 
 /// The second rule of roulette must not make the variance infinite, as a constant q would: at
-/// ρ = 0.99, the square is 0.98, and the rule has q = 0.94 at event 32.
+/// ρ = 0.995, the square is 0.99, and the rule has q = 0.985 at event 128.
 #[test]
 fn a_long_series_keeps_a_finite_variance() {
-    let albedo = 0.99_f32;
+    let albedo = 0.995_f32;
     let expected = 1.0 / (1.0 - f64::from(albedo));
-    let moments = found(&furnace(albedo), ROULETTE, Density::Cosine, 20_000, across);
-    assert_sees(0.1, "ρ = 0.99", &moments, expected);
+    let moments = found(&furnace(albedo), ROULETTE, Density::Cosine, 8_000, across);
+    assert_sees(0.1, "ρ = 0.995", &moments, expected);
     let variance = second_moment(f64::from(albedo), Roulette::Throughput) - expected * expected;
     let ratio = moments.variance() / variance;
     assert!((0.8..1.25).contains(&ratio), "{} for {variance}", moments.variance());

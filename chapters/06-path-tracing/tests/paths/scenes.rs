@@ -15,6 +15,10 @@ use workbench::{Sampler, Unwatched};
 /// Paths that only chance ends, as the stage follows them by default.
 pub(crate) const ROULETTE: Ending = Ending { depth: u32::MAX, roulette: Roulette::Throughput };
 
+/// The same for loops with a mistake that may make throughput: what lies beyond, at an albedo of
+/// 0.8, is a ten-thousandth.
+pub(crate) const BOUNDED: Ending = Ending { depth: 40, roulette: Roulette::Throughput };
+
 /// Paths that only the depth ends.
 pub(crate) const fn depth(depth: u32) -> Ending {
     Ending { depth, roulette: Roulette::Off }

@@ -79,8 +79,8 @@ fn boundaries_that_are_none_do_not_count_toward_the_depth() {
     assert!((seen / expected - 1.0).abs() < 1e-5, "{seen} for {expected}");
 }
 
-/// Errata 22: no random direction hits a point, so scenes of the first four chapters are dark; and a
-/// mirror shows what it shows because it is a case of its own.
+/// Errata 22: no random direction hits a point, so scenes of the first four chapters are dark; and
+/// a mirror shows what it shows because it is a case of its own.
 #[test]
 fn erratum_22_random_directions_never_find_a_point_light() {
     let floor = [[-5.0, -1.0, 5.0], [5.0, -1.0, 5.0], [5.0, -1.0, -5.0], [-5.0, -1.0, -5.0]];

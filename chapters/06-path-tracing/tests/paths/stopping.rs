@@ -19,10 +19,10 @@ fn render(scene: &Scene, error: f64, seed: u64) -> Estimate {
     expose_until(&settings, error, |point, s| tracer.incident_radiance(scene.camera.ray(point), s))
 }
 
-/// The Cornell box to 50 %, with 150 seeds, against a picture of more than ten times as many paths as
-/// each of them. If the true error exceeded the stated one in 5 % of all renders,
-/// there would be 7.5 ± 2.7 of them here; so many more that chance explains it once in 10⁵ times are
-/// a failure. The mean error without the margin would be one: half of all renders exceed it.
+/// The Cornell box to 50 %, with 150 seeds, against a picture of more than ten times as many paths
+/// as each of them. If the true error exceeded the stated one in 5 % of all renders,
+/// there would be 7.5 ± 2.7 of them here; so many more that chance explains it once in 10⁵ times
+/// are a failure. The mean error without the margin would be one: half of all renders exceed it.
 #[test]
 fn the_true_error_is_below_the_stated_one_in_95_of_100_renders() {
     const RENDERS: u64 = 150;
