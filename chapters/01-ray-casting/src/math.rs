@@ -75,6 +75,13 @@ pub fn exp2_f64(x: f64) -> f64 {
     libm::exp2(x)
 }
 
+/// log₂ x in double precision, for x > 0.
+#[inline]
+#[must_use]
+pub fn log2_f64(x: f64) -> f64 {
+    libm::log2(x)
+}
+
 /// u, half the distance from 1 to the next `f32`: no rounding changes a result by a larger share.
 pub const UNIT_ROUNDOFF: f32 = f32::EPSILON / 2.0;
 

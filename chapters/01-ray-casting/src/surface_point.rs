@@ -63,13 +63,21 @@ impl SurfacePoint {
     /// A ray that leaves for the surface that `end` lies on, and ends just before it.
     ///
     /// It starts on the side of this surface on which the target lies, and ends on the side of the
-    /// other one from which it comes, so neither of the two is in its own way. The length of a
-    /// rounded path is off by γ(4) of it, and a hit's t by its own rounding: γ(8) of the length is
-    /// left out at the end, so that what lies just behind the target is not met either.
+    /// other one from which it comes, so neither of the two is in its own way. Three roundings are
+    /// accounted for besides those of the two points:
+    ///
+    /// - The direction is rounded, so far away the ray passes beside its end, by γ(3) of the way for
+    ///   each axis. As much is added to the error of the end, or a surface that is seen along its
+    ///   edge would be met a long way before it.
+    /// - The length of a rounded path is off by γ(4) of it, and a hit's t by its own rounding: γ(8)
+    ///   of the length is left out at the end.
     #[inline]
     #[must_use]
     pub fn spawn_toward(&self, end: &EndPoint) -> Ray {
-        let origin = self.offset_origin(end.position - self.position);
+        let way = end.position - self.position;
+        let passes_by = gamma(3) * way.abs();
+        let end = EndPoint { position_error: end.position_error + passes_by, ..*end };
+        let origin = self.offset_origin(way);
         let path = end.offset(origin) - origin;
         let distance = path.length();
         let reach = distance * (1.0 - gamma(8));

@@ -14,6 +14,7 @@ pub use command::Command;
 pub use integrand::Integrand;
 pub use sampling::Sampling;
 
+use ray_casting::math::log2_f64;
 use workbench::Sampler;
 
 use crate::monte_carlo::{Estimate, integrate};
@@ -103,7 +104,7 @@ impl Study {
         let large = |row: &&Row| row.estimate.samples * row.estimate.samples >= self.samples;
         let errors = rows.iter().filter(large).filter(|row| row.typical_error > self.rounding());
         let points: Vec<[f64; 2]> = errors
-            .map(|row| [row.estimate.samples as f64, row.typical_error].map(f64::ln))
+            .map(|row| [row.estimate.samples as f64, row.typical_error].map(log2_f64))
             .collect();
         (points.len() >= 3).then(|| line_through(&points))
     }

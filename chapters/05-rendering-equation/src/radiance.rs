@@ -78,12 +78,25 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> DistributedTracer<'a, G, P, 
             }
             self.probe.tell(|| format!("hits {:?} at {}", surface.hit, surface.position));
             radiance += passed * self.materials.emitted(&surface);
+            let material = *self.materials.at(&surface);
+
+            // A boundary between equal indices is no event: straight on.
+            let crossing = match material {
+                Material::Glass if GLASS => Some(self.boundaries.crossing(&ray, &surface, &media)),
+                _ => None,
+            };
+            if let Some(crossing) = crossing.filter(|crossing| crossing.eta == 1.0) {
+                passed *= crossing.kt;
+                media = crossing.beyond;
+                ray = crossing.far.spawn(ray.direction);
+                continue;
+            }
             if events == self.branching.depth {
                 self.probe.count(Counter::PathsEndedByDepth, 1);
                 return radiance;
             }
 
-            match *self.materials.at(&surface) {
+            match material {
                 Material::Matte { kd, map_kd, lobe } => {
                     let brdf = self.materials.brdf(&surface, kd, map_kd, lobe);
                     if brdf.is_black() {
@@ -109,13 +122,7 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> DistributedTracer<'a, G, P, 
                     return radiance + passed * reflected;
                 }
                 Material::Glass => {
-                    let crossing = self.boundaries.crossing(&ray, &surface, &media);
-                    if crossing.eta == 1.0 {
-                        passed *= crossing.kt;
-                        media = crossing.beyond;
-                        ray = crossing.far.spawn(ray.direction);
-                        continue;
-                    }
+                    let Some(crossing) = crossing else { return radiance };
                     let split = split(self.scene, &surface, crossing.eta);
                     let u = sampler.next_1d();
                     let arriving = match split.refracted {

@@ -33,8 +33,12 @@ pub struct Extra {
 const DEEPEST: u32 = 500;
 
 impl Renderer for Extra {
-    fn remarks(_: &Run<Self>, scene: &Scene) -> Result<Vec<String>, Error> {
-        Ok(simplifications(scene))
+    fn remarks(run: &Run<Self>, scene: &Scene) -> Result<Vec<String>, Error> {
+        let mut sentences = simplifications(scene);
+        if run.depth().is_none_or(|depth| depth > DEEPEST) {
+            sentences.push(format!("the recursion ends at depth {DEEPEST}"));
+        }
+        Ok(sentences)
     }
 
     fn render<G: Intersect, P: Probe, const GLASS: bool>(

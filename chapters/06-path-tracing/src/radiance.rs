@@ -71,13 +71,26 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> PathTracer<'a, G, P, GLASS> 
             }
             self.probe.tell(|| format!("hits {:?} at {}", surface.hit, surface.position));
             radiance += throughput * self.materials.emitted(&surface);
+            let material = *self.materials.at(&surface);
+
+            // A boundary between equal indices is no event: straight on.
+            let crossing = match material {
+                Material::Glass if GLASS => Some(self.boundaries.crossing(&ray, &surface, &media)),
+                _ => None,
+            };
+            if let Some(crossing) = crossing.filter(|crossing| crossing.eta == 1.0) {
+                throughput *= crossing.kt;
+                media = crossing.beyond;
+                ray = crossing.far.spawn(ray.direction);
+                continue;
+            }
             if events == self.ending.depth {
                 self.probe.tell(|| "the depth ends the path".to_owned());
                 self.probe.count(Counter::PathsEndedByDepth, 1);
                 break;
             }
 
-            let kind = match *self.materials.at(&surface) {
+            let kind = match material {
                 Material::Matte { kd, map_kd, lobe } => {
                     let brdf = self.materials.brdf(&surface, kd, map_kd, lobe);
                     if brdf.is_black() {
@@ -99,15 +112,8 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> PathTracer<'a, G, P, GLASS> 
                     ray = surface.spawn(mirror_direction(self.scene, &surface));
                     Counter::ReflectionRays
                 }
-                Material::Glass if !GLASS => break, // there is none: no code is made for it
                 Material::Glass => {
-                    let crossing = self.boundaries.crossing(&ray, &surface, &media);
-                    if crossing.eta == 1.0 {
-                        throughput *= crossing.kt;
-                        media = crossing.beyond;
-                        ray = crossing.far.spawn(ray.direction);
-                        continue;
-                    }
+                    let Some(crossing) = crossing else { break };
                     let split = split(self.scene, &surface, crossing.eta);
                     // Each way is taken as often as it has light, so the weight of both is 1.
                     let u = sampler.next_1d();

@@ -10,7 +10,8 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// Numbers in proportion to `weights`, which are finite, not negative, and not all 0.
+    /// Numbers in proportion to `weights`, which are finite, not negative, and not all 0 if there are
+    /// any.
     #[must_use]
     pub fn new(weights: &[f64]) -> Self {
         let total: f64 = weights.iter().sum();
@@ -46,18 +47,6 @@ impl Choice {
         self.pmf[number]
     }
     // ANCHOR_END: pick
-
-    /// How many numbers there are.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.pmf.len()
-    }
-
-    /// Whether there is nothing to choose from.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.pmf.is_empty()
-    }
 }
 
 #[cfg(test)]

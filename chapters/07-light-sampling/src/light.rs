@@ -1,7 +1,7 @@
 //! The kinds of light.
 
 use glam::Vec3;
-use ray_casting::{EndPoint, Ray, Rgb, SurfacePoint, math::gamma};
+use ray_casting::{EndPoint, Ray, Rgb, SurfacePoint};
 use rendering_equation::Lambert;
 
 use crate::sphere_lamp::SphereLamp;
@@ -46,19 +46,11 @@ pub struct LightSample {
 
 impl LightSample {
     /// The ray that finds out whether something is in the way.
-    ///
-    /// Its direction is rounded, so far away it passes beside the end: by γ(3) of the way for each
-    /// axis. That much is added to the error of the end, or a lamp that is seen along its edge would
-    /// be met a long way before it.
     #[inline]
     #[must_use]
     pub fn shadow_ray(&self, surface: &SurfacePoint) -> Ray {
-        match self.end {
-            Some(mut end) => {
-                let path = end.position - surface.position;
-                end.position_error += gamma(3) * path.abs();
-                surface.spawn_toward(&end)
-            }
+        match &self.end {
+            Some(end) => surface.spawn_toward(end),
             None => surface.spawn(self.wi),
         }
     }

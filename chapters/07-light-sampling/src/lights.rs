@@ -21,34 +21,37 @@ pub struct Lights {
 }
 
 impl Lights {
-    /// Collects the lamps, the point lights and the sky of a scene.
+    /// Collects the lamps, the point lights and the sky of a scene, as far as they send out light.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let geometry = &scene.geometry;
+        let radius = radius(geometry);
+        let lit = |light: &Light| light.power(radius) > 0.0;
         let (mut lamps, mut lights) = (Vec::new(), Vec::new());
         for primitive in 0..geometry.primitives() {
             let material = scene.attributes.materials[primitive as usize] as usize;
             let radiance = Rgb::from_array(scene.materials[material].ke);
-            if radiance != Rgb::ZERO {
+            if radiance == Rgb::ZERO {
+                continue;
+            }
+            let lamp = match geometry.sphere(primitive) {
+                Some(&sphere) => Light::Sphere(SphereLamp { sphere, radiance }),
+                None => Light::Triangle(TriangleLamp::new(geometry.corners(primitive), radiance)),
+            };
+            if lit(&lamp) {
                 lamps.push(primitive);
-                lights.push(match geometry.sphere(primitive) {
-                    Some(&sphere) => Light::Sphere(SphereLamp { sphere, radiance }),
-                    None => {
-                        Light::Triangle(TriangleLamp::new(geometry.corners(primitive), radiance))
-                    }
-                });
+                lights.push(lamp);
             }
         }
-        lights.extend(scene.point_lights().filter(|light| light.intensity != Rgb::ZERO).map(
-            |light| Light::Point {
-                position: light.position,
-                intensity: std::f32::consts::PI * light.intensity,
-            },
-        ));
-        let has_sky = scene.background != Rgb::ZERO;
-        lights.extend(has_sky.then_some(Light::Sky { radiance: scene.background }));
+        let points = scene.point_lights().map(|light| Light::Point {
+            position: light.position,
+            intensity: std::f32::consts::PI * light.intensity,
+        });
+        lights.extend(points.filter(lit));
+        let sky = Light::Sky { radiance: scene.background };
+        let has_sky = lit(&sky);
+        lights.extend(has_sky.then_some(sky));
 
-        let radius = radius(geometry);
         let powers: Vec<f64> = lights.iter().map(|light| light.power(radius)).collect();
         Self { choice: Choice::new(&powers), lights, lamps, has_sky }
     }

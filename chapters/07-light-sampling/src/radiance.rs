@@ -100,12 +100,26 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS>
                 let pdf = |last: &Scattering| self.lights.pdf_of_lamp(last.position, &surface);
                 radiance += throughput * emitted * self.weight_of_meeting(last, pdf);
             }
+            let material = *self.materials.at(&surface);
+
+            // A boundary between equal indices is no event: straight on.
+            let crossing = match material {
+                Material::Glass if GLASS => Some(self.boundaries.crossing(&ray, &surface, &media)),
+                _ => None,
+            };
+            if let Some(crossing) = crossing.filter(|crossing| crossing.eta == 1.0) {
+                throughput *= crossing.kt;
+                last = None; // no shadow ray passes glass, not even of index 1
+                media = crossing.beyond;
+                ray = crossing.far.spawn(ray.direction);
+                continue;
+            }
             if events == depth {
                 self.probe.count(Counter::PathsEndedByDepth, 1);
                 break;
             }
 
-            let kind = match *self.materials.at(&surface) {
+            let kind = match material {
                 Material::Matte { kd, map_kd, lobe } => {
                     let brdf = self.materials.brdf(&surface, kd, map_kd, lobe);
                     if brdf.is_black() {
@@ -133,14 +147,8 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS>
                     Counter::ReflectionRays
                 }
                 Material::Glass => {
-                    let crossing = self.boundaries.crossing(&ray, &surface, &media);
-                    last = None; // no shadow ray passes glass, not even of index 1
-                    if crossing.eta == 1.0 {
-                        throughput *= crossing.kt;
-                        media = crossing.beyond;
-                        ray = crossing.far.spawn(ray.direction);
-                        continue;
-                    }
+                    let Some(crossing) = crossing else { break };
+                    last = None;
                     self.probe.count(Counter::ShadowRaysDelta, 1);
                     let split = split(self.scene, &surface, crossing.eta);
                     // Each way is taken as often as it has light, so the weight of both is 1.

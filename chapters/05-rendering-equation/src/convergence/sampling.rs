@@ -53,7 +53,11 @@ impl Sampling {
         match self {
             Self::Uniform => f64::from(uniform_hemisphere_pdf(wi.z)),
             Self::Cosine => f64::from(cosine_hemisphere_pdf(wi.z)),
-            Self::Peaked => 4.0 * FRAC_1_PI * f64::from(wi.z.max(0.0)).powi(7),
+            Self::Peaked => {
+                let cos = f64::from(wi.z.max(0.0));
+                let cos2 = cos * cos;
+                4.0 * FRAC_1_PI * (cos2 * cos2 * cos2 * cos)
+            }
         }
     }
 

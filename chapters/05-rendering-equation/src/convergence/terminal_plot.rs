@@ -1,5 +1,7 @@
 //! Errors over N as characters, both axes logarithmic.
 
+use ray_casting::math::{exp2_f64, log2_f64};
+
 use super::Course;
 
 const WIDTH: usize = 61;
@@ -9,13 +11,13 @@ const HEIGHT: usize = 17;
 pub(super) fn plot(courses: &[Course], runs: u64, rounding: f64) -> String {
     let point = |course: &Course, i: usize| {
         let row = &course.rows[i];
-        [row.estimate.samples as f64, row.typical_error].map(f64::log10)
+        [row.estimate.samples as f64, row.typical_error].map(|x| log2_f64(x.max(f64::MIN_POSITIVE)))
     };
     let points: Vec<(char, [f64; 2])> = courses
         .iter()
         .flat_map(|course| (0..course.rows.len()).map(move |i| (course, i)))
         .map(|(course, i)| (course.sampling.mark(), point(course, i)))
-        .filter(|(_, [_, error])| *error > rounding.log10())
+        .filter(|(_, [_, error])| *error > log2_f64(rounding))
         .collect();
     if points.is_empty() {
         return String::new();
@@ -42,12 +44,11 @@ pub(super) fn plot(courses: &[Course], runs: u64, rounding: f64) -> String {
     let mut text = format!("\nerror over {runs} runs (rms or median) against N\n");
     for (i, cells) in cells.iter().enumerate() {
         let exponent = bottom + height * (1.0 - i as f64 / (HEIGHT - 1) as f64);
-        let label =
-            if i % 4 == 0 { format!("{:.1e}", 10_f64.powf(exponent)) } else { String::new() };
+        let label = if i % 4 == 0 { format!("{:.1e}", exp2_f64(exponent)) } else { String::new() };
         let line: String = cells.iter().collect();
         text += &format!("{label:>8} │{}\n", line.trim_end());
     }
-    let n = |x: f64| format!("{:.0}", 10_f64.powf(x));
+    let n = |x: f64| format!("{:.0}", exp2_f64(x));
     text += &format!("         └{}\n", "─".repeat(WIDTH));
     text += &format!("          {:<30}{:>31}\n", n(left), n(left + width));
     text += &format!("  {}; * several\n", names.join("; "));

@@ -138,3 +138,19 @@ fn scenes_without_glass_are_the_same_to_the_bit_with_and_without_it() {
         }
     }
 }
+
+/// Straight through a ball of air at depth 0, and on from the wall behind it at depth 1.
+#[test]
+fn a_boundary_that_is_none_does_not_count_toward_the_depth() {
+    let wall = [[-9.0, -9.0, -2.0], [9.0, -9.0, -2.0], [9.0, 9.0, -2.0], [-9.0, 9.0, -2.0]];
+    let records = glass("air", 1.0)
+        + &matte("wall", 0.5, 1.0)
+        + &sphere([0.0; 3], 1.0, "air")
+        + &quad(wall, "wall");
+    let scene = scene([0.0, 0.0, 5.0], 1.0, &records);
+    for (depth, expected) in [(0, 1.0), (1, 1.5)] {
+        let straight = |_: &mut Sampler| Ray::new(Vec3::new(0.1, 0.2, 5.0), Vec3::NEG_Z);
+        let seen = found(&scene, branching(2, depth, Density::Cosine), 64, straight).mean();
+        assert!((seen - expected).abs() < 1e-6, "depth {depth}: {seen} for {expected}");
+    }
+}
