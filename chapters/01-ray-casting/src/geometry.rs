@@ -21,37 +21,6 @@ pub struct Geometry {
     pub spheres: Vec<Sphere>,
 }
 
-/// A ray, made ready for triangles once instead of at each.
-#[derive(Clone, Copy, Debug)]
-pub struct PreparedRay {
-    /// For spheres, and for everything that is not a triangle.
-    pub ray: Ray,
-    /// For triangles.
-    pub sheared: ShearedRay,
-}
-
-impl PreparedRay {
-    /// Prepares `ray`.
-    #[inline]
-    #[must_use]
-    pub fn new(ray: &Ray) -> Self {
-        Self { ray: *ray, sheared: ShearedRay::new(ray) }
-    }
-
-    /// From now on only hits at `t` or nearer count.
-    #[inline]
-    pub const fn shorten_to(&mut self, t: f32) {
-        self.ray.extent.max = t;
-        self.sheared.extent.max = t;
-    }
-
-    /// From now on only hits nearer than `t` count.
-    #[inline]
-    pub const fn shorten_below(&mut self, t: f32) {
-        self.shorten_to(t.next_down());
-    }
-}
-
 impl Geometry {
     /// How many primitives there are.
     #[inline]
@@ -77,9 +46,9 @@ impl Geometry {
     /// The hit of `ray` on one primitive.
     #[inline]
     #[must_use]
-    pub fn intersect_primitive(&self, ray: &PreparedRay, primitive: u32) -> Option<Hit> {
+    pub fn intersect_primitive(&self, ray: &ShearedRay, primitive: u32) -> Option<Hit> {
         match self.sphere(primitive) {
-            None => triangle::intersect(&ray.sheared, &self.corners(primitive), primitive),
+            None => triangle::intersect(ray, &self.corners(primitive), primitive),
             Some(sphere) => intersect_sphere(sphere, &ray.ray, primitive),
         }
     }

@@ -2,9 +2,10 @@
 
 use workbench::{Counter, Probe};
 
-use crate::geometry::{Geometry, PreparedRay};
+use crate::geometry::Geometry;
 use crate::hit::Hit;
 use crate::ray::Ray;
+use crate::triangle::ShearedRay;
 
 // ANCHOR: trait
 /// A set of primitives that a ray can be tested against.
@@ -41,7 +42,7 @@ impl<'a, P: Probe> LinearSearch<'a, P> {
 // ANCHOR: linear-search
 impl<P: Probe> Intersect for LinearSearch<'_, P> {
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        let mut prepared = PreparedRay::new(ray);
+        let mut prepared = ShearedRay::new(ray);
         let mut nearest = None;
         for primitive in 0..self.geometry.primitives() {
             if let Some(hit) = self.geometry.intersect_primitive(&prepared, primitive) {
@@ -55,7 +56,7 @@ impl<P: Probe> Intersect for LinearSearch<'_, P> {
     }
 
     fn occluded(&self, ray: &Ray) -> bool {
-        let prepared = PreparedRay::new(ray);
+        let prepared = ShearedRay::new(ray);
         let first = (0..self.geometry.primitives())
             .find(|&primitive| self.geometry.intersect_primitive(&prepared, primitive).is_some());
         let tests = first.map_or(self.geometry.primitives(), |primitive| primitive + 1);

@@ -27,7 +27,7 @@ mod stage;
 
 pub use attributes::Attributes;
 pub use camera::Camera;
-pub use geometry::{Geometry, PreparedRay, intersect_sphere};
+pub use geometry::{Geometry, intersect_sphere};
 pub use hit::Hit;
 pub use intersect::{Intersect, LinearSearch};
 pub use interval::Interval;
@@ -39,3 +39,4 @@ pub use scene::Scene;
 pub use sphere::Sphere;
 pub use stage::{Extra, STAGE};
 pub use surface_point::{EndPoint, SurfacePoint};
+pub use triangle::ShearedRay;

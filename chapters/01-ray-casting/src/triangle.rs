@@ -10,28 +10,28 @@
 //! 1. whatever the single-precision edge functions do not reject is decided again in double
 //!    precision, where their signs are exact, instead of only when one of them is zero;
 //! 2. t too is computed in double precision, so that a sliver seen edge-on gives a sane distance;
-//! 3. a hit that could as well lie behind the origin, given the roundings, does not count.
+//! 3. a hit so near that rounding could have moved it across the origin is decided by the exact
+//!    plane.
 
 use glam::{Vec2, Vec3};
 
 use crate::hit::Hit;
-use crate::interval::Interval;
 use crate::math::gamma;
 use crate::ray::Ray;
 
-/// A ray made ready for many triangles: the frame in which it is the z axis.
+/// A ray made ready for many triangles: with the frame in which it is the z axis.
 #[derive(Clone, Copy, Debug)]
 pub struct ShearedRay {
+    /// The ray itself.
+    pub ray: Ray,
     /// The axes that take the place of x, y and z. z is the longest of the direction.
-    axes: [usize; 3],
+    pub axes: [usize; 3],
     /// **o**, its components in the order of `axes`.
-    origin: [f32; 3],
+    pub origin: [f32; 3],
     /// d_x/d_z and d_y/d_z, both in [−1, 1].
-    shear: [f32; 2],
-    /// d_z, which has the largest magnitude of the three.
-    direction_z: f32,
-    /// As in [`Ray`].
-    pub extent: Interval,
+    pub shear: [f32; 2],
+    /// 1/d_z, where d_z has the largest magnitude of the three.
+    inverse_z: f64,
 }
 
 impl ShearedRay {
@@ -43,22 +43,28 @@ impl ShearedRay {
     pub fn new(ray: &Ray) -> Self {
         let d = ray.direction.to_array();
         let size = d.map(f32::abs);
-        let z = if size[0] > size[1] {
-            if size[0] > size[2] { 0 } else { 2 }
-        } else if size[1] > size[2] {
-            1
-        } else {
-            2
-        };
-        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
+        let z = if size[2] >= size[0].max(size[1]) { 2 } else { usize::from(size[1] >= size[0]) };
+        let (x, y) = ([1, 2, 0][z], [2, 0, 1][z]);
         let o = ray.origin.to_array();
         Self {
+            ray: *ray,
             axes: [x, y, z],
             origin: [o[x], o[y], o[z]],
             shear: [d[x] / d[z], d[y] / d[z]],
-            direction_z: d[z],
-            extent: ray.extent,
+            inverse_z: 1.0 / f64::from(d[z]),
         }
+    }
+
+    /// From now on only hits at `t` or nearer count.
+    #[inline]
+    pub const fn shorten_to(&mut self, t: f32) {
+        self.ray.extent.max = t;
+    }
+
+    /// From now on only hits nearer than `t` count.
+    #[inline]
+    pub const fn shorten_below(&mut self, t: f32) {
+        self.shorten_to(t.next_down());
     }
 
     // ANCHOR: shear
@@ -112,14 +118,22 @@ pub fn intersect(ray: &ShearedRay, vertices: &[Vec3; 3], primitive: u32) -> Opti
     if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {
         return None;
     }
-    decide(ray, [a, b, c], primitive)
+    decide(ray, [a, b, c], || *vertices, primitive)
 }
 
 /// The second half of [`intersect`], for the few triangles that single precision cannot reject.
+/// `vertices` is asked for only where the sheared ones do not tell which side the ray starts on.
 ///
 /// A product of two `f32` is exact in `f64`, and a difference of exact products has the right sign:
 /// the decision is the exact one for the sheared vertices.
-fn decide(ray: &ShearedRay, sheared: [[f32; 3]; 3], primitive: u32) -> Option<Hit> {
+#[inline]
+#[must_use]
+pub fn decide(
+    ray: &ShearedRay,
+    sheared: [[f32; 3]; 3],
+    vertices: impl FnOnce() -> [Vec3; 3],
+    primitive: u32,
+) -> Option<Hit> {
     let [a, b, c] = sheared.map(|p| p.map(f64::from));
     let u = c[0] * b[1] - c[1] * b[0];
     let v = a[0] * c[1] - a[1] * c[0];
@@ -128,49 +142,98 @@ fn decide(ray: &ShearedRay, sheared: [[f32; 3]; 3], primitive: u32) -> Option<Hi
         return None;
     }
     let det = u + v + w;
-    let z = (u * a[2] + v * b[2] + w * c[2]) / det;
-    let t = (z / f64::from(ray.direction_z)) as f32;
-    let admitted = ray.extent.min < t && t <= ray.extent.max && t < f32::INFINITY;
-    if !admitted || !lies_in_front([a, b, c], [u, v, w], f64::from(ray.direction_z).signum()) {
+    let inverse = 1.0 / det;
+    let z = (u * a[2] + v * b[2] + w * c[2]) * inverse;
+    let mut t = (z * ray.inverse_z) as f32;
+    let in_reach = t <= ray.ray.extent.max && t < f32::INFINITY;
+    if !in_reach {
         return None;
     }
-    Some(Hit { t, primitive, barycentric: Vec2::new((v / det) as f32, (w / det) as f32) })
+    if t <= ray.ray.extent.min {
+        // Rounding moves z by γ(1) of the size: what is farther behind lies behind.
+        let behind = f64::from(ray.ray.extent.min - t);
+        if behind > f64::from(gamma(2) * size(&sheared)) * ray.inverse_z.abs() {
+            return None;
+        }
+        t = settle(&ray.ray, vertices(), t)?;
+    } else if !lies_in_front(ray, &sheared, z, det) {
+        t = settle(&ray.ray, vertices(), t)?;
+    }
+    let barycentric = Vec2::new((v * inverse) as f32, (w * inverse) as f32);
+    ray.ray.admits(t).then_some(Hit { t, primitive, barycentric })
 }
 // ANCHOR_END: intersect
 
 // ANCHOR: lies_in_front
-/// Whether the hit lies beyond the origin whatever the roundings did.
+/// Whether the hit, at depth `z`, lies in front of the origin whatever the roundings have done.
 ///
-/// If all vertices lie in front by more than the roundings can have moved them, so does every point
-/// between them. Else the triangle straddles the origin, and what matters is by how much z at
-/// x = y = 0 can be wrong. The plane through the vertices is z = z₀ + s_x x + s_y y, and moving
-/// vertex i by (δx, δy, δz) moves the plane at the hit by its weight times δz − s_x δx − s_y δy:
+/// The plane through the vertices is z = z₀ + s_x x + s_y y. Moving vertex i by (δx, δy, δz) moves it
+/// at the hit by its weight times δz − s_x δx − s_y δy, so z is off by at most
 ///
 /// ```text
-/// |δz| ≤ Σ bᵢ (γ(1) |zᵢ| + γ(6) Mᵢ (|s_x| + |s_y|)),   Mᵢ = the largest |component| of v − o
+/// γ(1) S + γ(12) S (|s_x| + |s_y|),   |s_x| + |s_y| ≤ 16 S² / |U + V + W|
 /// ```
 ///
-/// M is read off the sheared vertices, whose largest component is at least half of it: γ(16) covers
-/// twice γ(6) with room for the double-precision roundings. The slopes, too, are those of the
-/// rounded vertices: γ(16) is added to them.
-/// It is what keeps a ray that starts on a huge triangle from hitting it again at a grazing angle.
-fn lies_in_front(sheared: [[f64; 3]; 3], weights: [f64; 3], forward: f64) -> bool {
-    let rounding = f64::from(gamma(16));
-    let size = sheared.map(|p| p[0].abs().max(p[1].abs()).max(p[2].abs()));
-    let depth = sheared.map(|p| forward * p[2]);
-
-    let nearest = depth[0].min(depth[1]).min(depth[2]);
-    if nearest > rounding * size[0].max(size[1]).max(size[2]) {
+/// where S is the largest |component| of a sheared vertex, of which those of v − o are at most the
+/// double, and the slopes are quotients of products of edges. γ(16) leaves room for the slopes being
+/// those of the rounded vertices. A small triangle far away has a poor bound for its slopes; there it
+/// is enough that all vertices lie in front.
+#[inline]
+fn lies_in_front(ray: &ShearedRay, sheared: &[[f32; 3]; 3], z: f64, det: f64) -> bool {
+    let forward = 1.0_f64.copysign(ray.inverse_z);
+    let [a, b, c] = sheared.map(|p| forward as f32 * p[2]);
+    let size = size(sheared);
+    if a.min(b).min(c) > gamma(16) * size {
         return true;
     }
-    let [a, b, c] = sheared;
-    let (e, f): ([f64; 3], [f64; 3]) =
-        ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
-    let normal = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
-    let slope = (normal[0].abs() + normal[1].abs()) / normal[2].abs();
-
-    let det = weights[0] + weights[1] + weights[2];
-    let mean = |x: [f64; 3]| (weights[0] * x[0] + weights[1] * x[1] + weights[2] * x[2]) / det;
-    mean(depth) > rounding * (mean(depth.map(f64::abs)) + mean(size) * (slope + rounding))
+    let (det, size) = (det.abs(), f64::from(size));
+    forward * z * det > f64::from(gamma(16)) * size * (det + 16.0 * size * size)
 }
+
+/// The largest |component|.
+#[inline]
+fn size(sheared: &[[f32; 3]; 3]) -> f32 {
+    let [a, b, c] = sheared.map(|p| p[0].abs().max(p[1].abs()).max(p[2].abs()));
+    a.max(b).max(c)
+}
+
+/// The t of a hit that may lie on either side of the origin, as far as `t` can say: the exact plane
+/// of the triangle decides.
+///
+/// ```text
+/// N = (v₁ − v₀) × (v₂ − v₀),   N·(v₀ − o) / N·d
+/// ```
+///
+/// Differences of `f32` are (nearly) exact in `f64`, so both signs are right as long as they matter:
+/// the origin of a spawned ray is away from its triangle by much more than the roundings here. Two
+/// cases remain:
+///
+/// - Which side a ray is spawned on was decided by a rounded N·d. If that is zero up to its rounding,
+///   a ray that starts at the surface may start on the one side and lead to the other. It runs along
+///   the surface, and does not meet it.
+/// - A hit that rounding has put behind the near end of the extent is put back: as near as a hit can
+///   be. Otherwise a ray that starts in the corner of a room, next to one wall, would leave through it.
+#[inline(never)]
+fn settle(ray: &Ray, vertices: [Vec3; 3], t: f32) -> Option<f32> {
+    let Ray { origin, direction, extent } = *ray;
+    let [v0, v1, v2] = vertices.map(|v| v.as_dvec3());
+    let (o, d) = (origin.as_dvec3(), direction.as_dvec3());
+    let (e1, e2) = (v1 - v0, v2 - v0);
+    let n = e1.cross(e2);
+    let (distance, speed) = (n.dot(v0 - o), n.dot(d));
+    let exact = distance / speed;
+    // False, too, for the NaN of a triangle without area.
+    let is_ahead = exact > f64::from(extent.min);
+    if !is_ahead {
+        return None;
+    }
+    let size = n.abs();
+    let at_surface = distance.abs()
+        <= size.dot(f64::from(gamma(8)) * o.abs() + DOUBLE * (v0.abs() + e1.abs() + e2.abs()));
+    let runs_along = speed.abs() <= f64::from(gamma(5)) * size.dot(d.abs());
+    (!(at_surface && runs_along)).then(|| t.max(extent.min.next_up()))
+}
+
+/// 64 roundings of double precision.
+const DOUBLE: f64 = 64.0 * f64::EPSILON;
 // ANCHOR_END: lies_in_front

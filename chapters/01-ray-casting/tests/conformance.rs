@@ -38,13 +38,13 @@ impl Faulty {
         match self.fault {
             Fault::DropsOnePrimitive if nearest.primitive == 5 => search.intersect(&beyond),
             Fault::TakesTheHighestOfEqualNames => {
-                let prepared = ray_casting::PreparedRay::new(ray);
+                let prepared = ray_casting::ShearedRay::new(ray);
                 let all = 0..self.geometry.primitives();
                 let mut hits = all.filter_map(|i| self.geometry.intersect_primitive(&prepared, i));
                 hits.rfind(|hit| hit.t == nearest.t)
             }
             Fault::TakesTheFirstItFinds => {
-                let prepared = ray_casting::PreparedRay::new(ray);
+                let prepared = ray_casting::ShearedRay::new(ray);
                 let mut all = 0..self.geometry.primitives();
                 all.find_map(|i| self.geometry.intersect_primitive(&prepared, i))
             }

@@ -1,6 +1,6 @@
 //! From one medium into the next.
 
-use ray_casting::{Intersect, PreparedRay, Ray, Rgb, Scene, SurfacePoint};
+use ray_casting::{Intersect, Ray, Rgb, Scene, ShearedRay, SurfacePoint};
 
 use crate::contacts::Contacts;
 use crate::material::Surface;
@@ -162,7 +162,7 @@ impl<'a> Boundaries<'a> {
     /// What else `ray` meets in `point`.
     fn touching(&self, ray: &Ray, point: &SurfacePoint) -> impl Iterator<Item = SurfacePoint> {
         let others = self.contacts.of(point.hit.primitive);
-        let prepared = (others.len() > 0).then(|| PreparedRay::new(ray));
+        let prepared = (others.len() > 0).then(|| ShearedRay::new(ray));
         let ray = *ray;
         others.filter_map(move |other| {
             let hit = self.scene.geometry.intersect_primitive(prepared.as_ref()?, other)?;

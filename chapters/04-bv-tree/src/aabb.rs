@@ -3,9 +3,10 @@
 use glam::Vec3;
 use ray_casting::{Geometry, Interval, Ray};
 
-use crate::bounding_volume::{BoundingVolume, PADDING};
+use crate::bounding_volume::{BoundingVolume, FourIntervals, PADDING};
+use crate::four::{Four, larger_of, mul, smaller_of, sub};
 use crate::item::Item;
-use crate::slab::{SlabQuery, larger, overlap};
+use crate::slab::{SlabQuery, overlap};
 
 /// The points between two corners: three slabs along the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,43 +45,58 @@ impl Aabb {
     }
 }
 
-/// A ray as boxes want it: for each axis what a [`SlabQuery`] holds, laid out like [`AabbPair`].
+/// A ray as boxes want it: what a [`SlabQuery`] holds, for each axis, and four times each number.
 #[derive(Clone, Copy, Debug)]
 pub struct AabbQuery {
-    /// [o + E, o + E, o − E, o − E].
-    origins: [[f32; 4]; 3],
-    /// The corrected 1/d of each plane; negated for the two through which the ray leaves.
-    inverses: [[f32; 4]; 3],
-    /// Whether the ray enters through the planes max.
-    backward: [bool; 3],
+    axes: [AxisQuery; 3],
 }
 
-/// Two boxes: for each axis the planes [left.min, right.min, left.max, right.max].
-pub type AabbPair = [[f32; 4]; 3];
+/// One axis of an [`AabbQuery`].
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(16))]
+struct AxisQuery {
+    origin_near: Four,
+    origin_far: Four,
+    inverse_near: Four,
+    inverse_far: Four,
+    is_backward: bool,
+}
+
+impl From<SlabQuery> for AxisQuery {
+    #[inline(always)]
+    fn from(slab: SlabQuery) -> Self {
+        Self {
+            origin_near: [slab.origin_near; 4],
+            origin_far: [slab.origin_far; 4],
+            inverse_near: [slab.inverse_near; 4],
+            inverse_far: [slab.inverse_far; 4],
+            is_backward: slab.is_backward(),
+        }
+    }
+}
+
+/// Four boxes: for each axis the planes min of all of them, then the planes max.
+pub type FourBoxes = [[[f32; 4]; 2]; 3];
 
 impl BoundingVolume for Aabb {
     type Query = AabbQuery;
-    type Pair = AabbPair;
+    type Four = FourBoxes;
+
+    const EMPTY: Self = Self::EMPTY;
 
     fn enclosing(bounds: &Aabb, _: &[Item], _: &Geometry) -> Self {
         *bounds
     }
 
-    #[inline]
+    #[inline(always)]
     fn query(ray: &Ray, reach: f32) -> AabbQuery {
         let (o, d, padding) = (ray.origin, ray.direction, PADDING * reach);
-        let axes = [
-            SlabQuery::new(o.x, d.x, padding),
-            SlabQuery::new(o.y, d.y, padding),
-            SlabQuery::new(o.z, d.z, padding),
-        ];
         AabbQuery {
-            origins: axes.map(|a| spread(a.origin_for_min, a.origin_for_max)),
-            inverses: axes.map(|a| match a.is_backward() {
-                false => spread(a.inverse_for_min, -a.inverse_for_max),
-                true => spread(-a.inverse_for_min, a.inverse_for_max),
-            }),
-            backward: axes.map(|a| a.is_backward()),
+            axes: [
+                SlabQuery::new(o.x, d.x, padding).into(),
+                SlabQuery::new(o.y, d.y, padding).into(),
+                SlabQuery::new(o.z, d.z, padding).into(),
+            ],
         }
     }
 
@@ -93,68 +109,43 @@ impl BoundingVolume for Aabb {
     #[inline]
     fn clip(&self, query: &AabbQuery) -> Interval {
         let mut inside = Interval::FORWARD;
-        for i in 0..3 {
-            let (o, inverse) = (&query.origins[i], &query.inverses[i]);
-            let at_min = (self.min[i] - o[0]) * inverse[0];
-            let at_max = (self.max[i] - o[2]) * inverse[2];
-            let slab = match query.backward[i] {
-                false => Interval::new(at_min, -at_max),
-                true => Interval::new(at_max, -at_min),
-            };
-            inside = overlap(slab, inside);
+        for (i, axis) in query.axes.iter().enumerate() {
+            let (mut enter, mut leave) = (self.min[i], self.max[i]);
+            if axis.is_backward {
+                (enter, leave) = (leave, enter);
+            }
+            let enter = (enter - axis.origin_near[0]) * axis.inverse_near[0];
+            let leave = (leave - axis.origin_far[0]) * axis.inverse_far[0];
+            inside = overlap(Interval::new(enter, leave), inside);
         }
         inside
     }
     // ANCHOR_END: clip
 
-    fn pair(left: &Self, right: &Self) -> AabbPair {
-        [0, 1, 2].map(|i| [left.min[i], right.min[i], left.max[i], right.max[i]])
+    fn four(volumes: &[Self; 4]) -> FourBoxes {
+        [0, 1, 2]
+            .map(|i| [volumes.map(|volume| volume.min[i]), volumes.map(|volume| volume.max[i])])
     }
 
-    // ANCHOR: clip_pair
-    /// As [`clip`](Self::clip), with four planes at a time: the compiler turns each line into one
-    /// instruction on four numbers.
-    ///
-    /// The t of the planes through which the ray leaves are negative here, so that the last entry
-    /// and the first exit are both a maximum.
+    // ANCHOR: clip_four
+    /// As [`clip`](Self::clip), for four boxes at a time: the compiler turns each line into
+    /// instructions that work on four numbers.
     #[inline]
-    fn clip_pair(pair: &AabbPair, query: &AabbQuery) -> [Interval; 2] {
-        let mut last = [0.0, 0.0, f32::NEG_INFINITY, f32::NEG_INFINITY];
-        for (i, &planes) in pair.iter().enumerate() {
-            let mut t = zip(zip(planes, query.origins[i], sub), query.inverses[i], mul);
-            if query.backward[i] {
-                t = [t[2], t[3], t[0], t[1]];
-            }
-            last = zip(t, last, larger);
+    fn clip_four(planes: &FourBoxes, query: &AabbQuery) -> FourIntervals {
+        let (mut min, mut max) = ([0.0; 4], [f32::INFINITY; 4]);
+        for (planes, axis) in planes.iter().zip(&query.axes) {
+            let enter = planes[usize::from(axis.is_backward)];
+            let leave = planes[usize::from(!axis.is_backward)];
+            let enter = mul(sub(enter, axis.origin_near), axis.inverse_near);
+            let leave = mul(sub(leave, axis.origin_far), axis.inverse_far);
+            (min, max) = (larger_of(enter, min), smaller_of(leave, max));
         }
-        [Interval::new(last[0], -last[2]), Interval::new(last[1], -last[3])]
+        FourIntervals { min, max }
     }
-    // ANCHOR_END: clip_pair
+    // ANCHOR_END: clip_four
 
     fn surface_area(&self) -> f32 {
         let size = (self.max - self.min).max(Vec3::ZERO);
         2.0 * (size.x * size.y + size.y * size.z + size.z * size.x)
     }
-}
-
-/// A number for both boxes' planes min, and one for their planes max.
-#[inline]
-const fn spread(min: f32, max: f32) -> [f32; 4] {
-    [min, min, max, max]
-}
-
-#[inline]
-fn sub(a: f32, b: f32) -> f32 {
-    a - b
-}
-
-#[inline]
-fn mul(a: f32, b: f32) -> f32 {
-    a * b
-}
-
-/// `f` of each pair of components.
-#[inline]
-fn zip(a: [f32; 4], b: [f32; 4], f: impl Fn(f32, f32) -> f32) -> [f32; 4] {
-    [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])]
 }

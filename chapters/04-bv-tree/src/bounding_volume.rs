@@ -4,6 +4,7 @@ use ray_casting::{Geometry, Interval, Ray};
 
 use crate::aabb::Aabb;
 use crate::item::Item;
+use crate::slab::smaller;
 
 // ANCHOR: trait
 /// A simple shape around some primitives: a ray that misses it misses them all.
@@ -23,29 +24,58 @@ pub trait BoundingVolume: Copy + Send + Sync + 'static {
     /// Prepares `ray`. `reach` is the largest |component| of (point of the tree − ray origin).
     fn query(ray: &Ray, reach: f32) -> Self::Query;
 
-    /// The t ≥ 0 for which the ray is inside; empty if it misses. No tree holds an empty volume.
+    /// The t ≥ 0 for which the ray is inside; empty if it misses.
     ///
     /// Conservative: whatever was rounded, here or in the primitive's own test, a primitive inside
     /// that reports a hit at t makes this interval contain t.
     fn clip(&self, query: &Self::Query) -> Interval;
 
-    /// Two volumes in the form in which they are tested together.
-    type Pair: Copy + Send + Sync;
+    /// A volume around nothing, which no ray enters.
+    const EMPTY: Self;
 
-    /// Puts two volumes side by side.
-    fn pair(left: &Self, right: &Self) -> Self::Pair;
+    /// Four volumes in the form in which they are tested together.
+    type Four: Copy + Send + Sync;
 
-    /// What [`clip`](Self::clip) says of the two volumes of a pair.
-    fn clip_pair(pair: &Self::Pair, query: &Self::Query) -> [Interval; 2];
+    /// Puts four volumes side by side.
+    fn four(volumes: &[Self; 4]) -> Self::Four;
+
+    /// What [`clip`](Self::clip) says of each of the four.
+    fn clip_four(four: &Self::Four, query: &Self::Query) -> FourIntervals;
 
     /// Area of the volume's surface, in squared scene units: how likely a random line meets it.
     fn surface_area(&self) -> f32;
 }
 // ANCHOR_END: trait
 
+/// Four intervals of t, their ends side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct FourIntervals {
+    /// Where each begins.
+    pub min: [f32; 4],
+    /// Where each ends; before its beginning if it is empty.
+    pub max: [f32; 4],
+}
+
+impl FourIntervals {
+    /// Bit i is set if interval i is not empty and begins at most at `max`.
+    #[inline(always)]
+    pub(crate) fn begin_before(&self, max: f32) -> u32 {
+        let end = self.max.map(|end| smaller(end, max));
+        (0..4).fold(0, |mask, i| mask | (u32::from(self.min[i] <= end[i]) << i))
+    }
+
+    /// Clips four volumes one after the other: the plain way.
+    #[inline]
+    pub fn one_by_one<V: BoundingVolume>(volumes: &[V; 4], query: &V::Query) -> Self {
+        let intervals = [0, 1, 2, 3].map(|i| volumes[i].clip(query));
+        Self { min: intervals.map(|i| i.min), max: intervals.map(|i| i.max) }
+    }
+}
+
 /// By how much a volume must be widened for each unit of `reach`, in every direction.
 ///
 /// The watertight triangle test moves a vertex v by at most γ(6) max |v − o| before it decides (see
 /// `ray_casting::triangle`), so it may report a hit on a ray that passes the triangle at that
-/// distance. γ(8) leaves room for the roundings of this padding itself.
-pub(crate) const PADDING: f32 = ray_casting::math::gamma(8);
+/// distance; and it may put a hit forward to the origin that rounding has left up to γ(4) max |v − o|
+/// behind. γ(12) leaves room for the roundings of this padding itself.
+pub(crate) const PADDING: f32 = ray_casting::math::gamma(12);

@@ -11,25 +11,25 @@ use crate::aabb::Aabb;
 use crate::bounding_volume::BoundingVolume;
 use crate::item::Item;
 use crate::layout::lay_out;
-use crate::node::{Link, Node, Pair};
+use crate::node::{Child, Link, Node};
 use crate::split::{Builder, Split, split};
 
 /// Below this many primitives a task costs more than it brings.
 const PARALLEL: usize = 4096;
 
-/// From this depth on ranges are halved by count, so that no tree is deeper than
+/// Behind this many splits ranges are halved by count, so that no tree is deeper than
 /// `HALVING_DEPTH` + 32 and the traversal's stack always suffices.
 const HALVING_DEPTH: u32 = 31;
 
-/// The deepest that a tree can be: 2³² items halve 32 times, mixed leaves split once more.
+/// The most splits on a way to a leaf: 2³² items halve 32 times, mixed leaves split once more.
 pub(crate) const MAX_DEPTH: usize = HALVING_DEPTH as usize + 33;
 
 /// A tree before its leaves have been turned into primitives.
 pub(crate) struct Topology<V: BoundingVolume> {
-    /// The whole tree; `None` if there is nothing to enclose.
-    pub(crate) root: Option<Node<V>>,
-    /// Children, ordered by [`lay_out`].
-    pub(crate) pairs: Vec<Pair<V>>,
+    /// The root, or the only leaf.
+    pub(crate) root: Link,
+    /// Ordered by [`lay_out`].
+    pub(crate) nodes: Vec<Node<V>>,
     /// Leaves name ranges of these.
     pub(crate) items: Vec<Item>,
 }
@@ -38,26 +38,36 @@ pub(crate) struct Topology<V: BoundingVolume> {
 pub(crate) fn build<V: BoundingVolume>(geometry: &Geometry, builder: Builder) -> Topology<V> {
     let mut items = Item::all(geometry);
     if items.is_empty() {
-        return Topology { root: None, pairs: Vec::new(), items };
+        return Topology { root: Link::NOTHING, nodes: Vec::new(), items };
     }
-    let bounds = bounds(&items);
-    // n primitives have at most n − 1 inner nodes, hence pairs of children.
-    let mut slots: Vec<Option<[Node<V>; 2]>> = vec![None; items.len() - 1];
+    let whole = Part { bounds: bounds(&items), count: items.len(), splits: 0, is_leaf: false };
+    // n primitives have at most n − 1 nodes, since each divides some of them.
+    let mut slots: Vec<Option<[Child<V>; 4]>> = vec![None; items.len() - 1];
     let task = Task { geometry, builder };
-    let mut root =
-        task.node(&bounds, Range { first: 0, pair: 0, depth: 0 }, &mut items, &mut slots);
-    let pairs = lay_out(&mut root, &slots);
-    Topology { root: Some(root), pairs, items }
+    let mut root = task.child(&whole, Place { item: 0, slot: 0 }, &mut items, &mut slots).link;
+    let nodes = lay_out(&mut root, &slots);
+    Topology { root, nodes, items }
 }
 
-/// Where a part of the tree belongs.
+/// Some items that follow each other, and that become one child.
 #[derive(Clone, Copy)]
-struct Range {
+struct Part {
+    bounds: Aabb,
+    /// How many items.
+    count: usize,
+    /// How many splits have led to it.
+    splits: u32,
+    /// Whether it is known not to be split any more.
+    is_leaf: bool,
+}
+
+/// Where a child belongs.
+#[derive(Clone, Copy)]
+struct Place {
     /// Index of its first item among all.
-    first: u32,
-    /// Index of its first slot for a pair of children.
-    pair: u32,
-    depth: u32,
+    item: u32,
+    /// Index of its first slot for a node.
+    slot: u32,
 }
 
 struct Task<'a> {
@@ -66,40 +76,92 @@ struct Task<'a> {
 }
 
 impl Task<'_> {
-    /// Makes the node over `items`, and in `slots` all that is below it.
-    fn node<V: BoundingVolume>(
+    /// Makes the child over `items`, which are the part, and in `slots` all nodes below it.
+    fn child<V: BoundingVolume>(
         &self,
-        bounds: &Aabb,
-        range: Range,
+        part: &Part,
+        place: Place,
         items: &mut [Item],
-        slots: &mut [Option<[Node<V>; 2]>],
-    ) -> Node<V> {
-        let volume = V::enclosing(bounds, items, self.geometry);
-        let builder = if range.depth < HALVING_DEPTH { self.builder } else { Builder::Median };
-        let Some(Split { left_count, left, right }) = self.split(builder, bounds, items) else {
+        slots: &mut [Option<[Child<V>; 4]>],
+    ) -> Child<V> {
+        let volume = V::enclosing(&part.bounds, items, self.geometry);
+        let mut parts = [*part; 4];
+        let n = self.divide(&mut parts, items);
+        if n == 1 {
             let count = items.len() as i32;
             let count = if self.is_sphere(items.first()) { -count } else { count };
-            let link = Link { first: range.first, count };
-            return Node { volume, link };
-        };
-
-        let (left_items, right_items) = items.split_at_mut(left_count);
-        let (own, below) = slots.split_first_mut().expect("an inner node has a slot");
-        let (left_slots, right_slots) = below.split_at_mut(left_count - 1);
-        let left_range = Range { pair: range.pair + 1, depth: range.depth + 1, ..range };
-        let right_range = Range {
-            first: range.first + left_count as u32,
-            pair: range.pair + left_count as u32,
-            depth: range.depth + 1,
-        };
-        let parallel = left_items.len() + right_items.len() >= PARALLEL;
-        let mut build_left = || self.node(&left, left_range, left_items, left_slots);
-        let mut build_right = || self.node(&right, right_range, right_items, right_slots);
-        let (left, right) =
-            if parallel { join(build_left, build_right) } else { (build_left(), build_right()) };
-        *own = Some([left, right]);
-        Node { volume, link: Link::children(range.pair) }
+            return Child { volume, link: Link { first: place.item, count } };
+        }
+        let (own, below) = slots.split_first_mut().expect("a node has a slot");
+        let mut children = [Child::NONE; 4];
+        let first = Place { slot: place.slot + 1, ..place };
+        self.children(&parts[..n], first, items, below, &mut children);
+        *own = Some(children);
+        Child { volume, link: Link::node(place.slot) }
     }
+
+    /// Makes a child of each part, large ones on all cores.
+    fn children<V: BoundingVolume>(
+        &self,
+        parts: &[Part],
+        place: Place,
+        items: &mut [Item],
+        slots: &mut [Option<[Child<V>; 4]>],
+        children: &mut [Child<V>],
+    ) {
+        let (Some((part, parts)), Some((child, children))) =
+            (parts.split_first(), children.split_first_mut())
+        else {
+            return;
+        };
+        let parallel = items.len() >= PARALLEL;
+        let (items, other_items) = items.split_at_mut(part.count);
+        let (slots, other_slots) = slots.split_at_mut(part.count - 1);
+        let (item, slot) = (place.item + part.count as u32, place.slot + slots.len() as u32);
+        let mut make = || *child = self.child(part, place, items, slots);
+        let mut make_others =
+            || self.children(parts, Place { item, slot }, other_items, other_slots, children);
+        if parallel {
+            join(make, make_others);
+        } else {
+            make();
+            make_others();
+        }
+    }
+
+    // ANCHOR: divide
+    /// Divides the first of `parts` into two to four and returns how many there are now; if it
+    /// should be a leaf, one.
+    ///
+    /// A split makes two. As long as there is room, the part with the largest surface, which a ray
+    /// most likely enters, is split again.
+    fn divide(&self, parts: &mut [Part; 4], items: &mut [Item]) -> usize {
+        let mut n = 1;
+        while n < 4 {
+            let candidates = (0..n).filter(|&i| !parts[i].is_leaf);
+            let area = |i: usize| parts[i].bounds.surface_area();
+            let Some(i) = candidates.max_by(|&i, &j| area(i).total_cmp(&area(j)).then(j.cmp(&i)))
+            else {
+                break;
+            };
+            let Part { bounds, count, splits, .. } = parts[i];
+            let first: usize = parts[..i].iter().map(|part| part.count).sum();
+            let builder = if splits < HALVING_DEPTH { self.builder } else { Builder::Median };
+            match self.split(builder, &bounds, &mut items[first..first + count]) {
+                None => parts[i].is_leaf = true,
+                Some(Split { left_count, left, right }) => {
+                    let part =
+                        |bounds, count| Part { bounds, count, splits: splits + 1, is_leaf: false };
+                    parts.copy_within(i..3, i + 1);
+                    parts[i] = part(left, left_count);
+                    parts[i + 1] = part(right, count - left_count);
+                    n += 1;
+                }
+            }
+        }
+        n
+    }
+    // ANCHOR_END: divide
 
     /// Splits as the builder says; a leaf of two kinds of primitives is split by kind.
     fn split(&self, builder: Builder, bounds: &Aabb, items: &mut [Item]) -> Option<Split> {

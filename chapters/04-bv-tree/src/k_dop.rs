@@ -6,7 +6,7 @@ use glam::Vec3;
 use ray_casting::{Geometry, Interval, Ray};
 
 use crate::aabb::Aabb;
-use crate::bounding_volume::{BoundingVolume, PADDING};
+use crate::bounding_volume::{BoundingVolume, FourIntervals, PADDING};
 use crate::item::{Item, extent_along};
 use crate::slab::{SlabQuery, overlap};
 
@@ -53,8 +53,10 @@ impl<const N: usize> KDop<N> {
 }
 
 impl<const N: usize> BoundingVolume for KDop<N> {
-    type Pair = [Self; 2];
+    type Four = [Self; 4];
     type Query = [SlabQuery; N];
+
+    const EMPTY: Self = Self { slabs: [Interval::EMPTY; N] };
 
     fn enclosing(_: &Aabb, items: &[Item], geometry: &Geometry) -> Self {
         let slabs = Self::directions().map(|n| extent_along(n, Vec3::ZERO, items, geometry));
@@ -80,13 +82,13 @@ impl<const N: usize> BoundingVolume for KDop<N> {
     }
     // ANCHOR_END: clip
 
-    fn pair(left: &Self, right: &Self) -> [Self; 2] {
-        [*left, *right]
+    fn four(volumes: &[Self; 4]) -> [Self; 4] {
+        *volumes
     }
 
     #[inline]
-    fn clip_pair(pair: &[Self; 2], query: &Self::Query) -> [Interval; 2] {
-        [pair[0].clip(query), pair[1].clip(query)]
+    fn clip_four(four: &[Self; 4], query: &Self::Query) -> FourIntervals {
+        FourIntervals::one_by_one(four, query)
     }
 
     /// The area of the box around it: a k-DOP's own has no short formula.

@@ -9,9 +9,10 @@ use crate::bounding_volume::BoundingVolume;
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub(crate) struct Link {
-    /// An inner node's pair of children, or the first of a leaf's primitives in its own array.
+    /// Where it is: a node, a leaf's group of triangles, or the first of a leaf's spheres, each in
+    /// the array of its kind.
     pub(crate) first: u32,
-    /// 0 for an inner node, n for a leaf of n triangles, −n for a leaf of n spheres.
+    /// How many primitives: n triangles, −n spheres; 0 for nothing, [`Link::INNER`] for a node.
     ///
     /// A leaf holds primitives of one kind, so that the loop over them has no branch on the kind.
     pub(crate) count: i32,
@@ -19,54 +20,91 @@ pub(crate) struct Link {
 // ANCHOR_END: link
 
 impl Link {
-    /// Links to a pair of children.
-    pub(crate) const fn children(pair: u32) -> Self {
-        Self { first: pair, count: 0 }
+    /// The count of a link that leads to a node.
+    const INNER: i32 = i32::MAX;
+
+    /// Leads nowhere.
+    pub(crate) const NOTHING: Self = Self { first: 0, count: 0 };
+
+    /// Leads to the node at `place`.
+    pub(crate) const fn node(place: u32) -> Self {
+        Self { first: place, count: Self::INNER }
     }
 
-    /// Whether it leads to two more nodes.
+    /// Whether it leads to a node.
     #[inline]
     pub(crate) const fn is_inner(self) -> bool {
-        self.count == 0
+        self.count == Self::INNER
     }
 
-    /// The places of a leaf's primitives in the array of their kind.
+    /// Whether anything is there.
+    #[inline]
+    pub(crate) const fn is_something(self) -> bool {
+        self.count != 0
+    }
+
+    /// How many primitives a leaf holds.
+    #[inline]
+    pub(crate) const fn primitives(self) -> u32 {
+        self.count.unsigned_abs()
+    }
+
+    /// The places of a leaf's primitives, if they lie one by one.
     #[inline]
     pub(crate) const fn range(self) -> Range<usize> {
         let first = self.first as usize;
-        first..first + self.count.unsigned_abs() as usize
+        first..first + self.primitives() as usize
     }
 }
 
-/// A node as the builder makes it.
+/// One of a node's children, as the builder makes it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Node<V> {
+pub(crate) struct Child<V> {
     /// Encloses everything below.
     pub(crate) volume: V,
     /// What is below.
     pub(crate) link: Link,
 }
 
-// ANCHOR: pair
-/// Both children of a node as the traversal wants them: they are always tested together, so their
-/// volumes are interleaved, and no pair of boxes lies across two cache lines.
+impl<V: BoundingVolume> Child<V> {
+    /// An empty place.
+    pub(crate) const NONE: Self = Self { volume: V::EMPTY, link: Link::NOTHING };
+}
+
+// ANCHOR: node
+/// A node: its children, of which there are two to four. They are always tested together, so their
+/// volumes lie side by side; the boxes of four children and their links fill two cache lines.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
-pub(crate) struct Pair<V: BoundingVolume> {
-    /// The volumes of the left and the right child.
-    pub(crate) volumes: V::Pair,
+pub(crate) struct Node<V: BoundingVolume> {
+    /// The volumes of the children; a place without a child has one that no ray enters.
+    pub(crate) volumes: V::Four,
     /// What they hold.
-    pub(crate) links: [Link; 2],
+    pub(crate) links: [Link; 4],
 }
-// ANCHOR_END: pair
+// ANCHOR_END: node
+
+impl<V: BoundingVolume> From<&[Child<V>; 4]> for Node<V> {
+    fn from(children: &[Child<V>; 4]) -> Self {
+        let volumes = V::four(&children.map(|child| child.volume));
+        Self { volumes, links: children.map(|child| child.link) }
+    }
+}
+
+impl<V: BoundingVolume> Node<V> {
+    /// The places that have a child.
+    pub(crate) fn children(&self) -> impl Iterator<Item = Link> {
+        self.links.into_iter().filter(|link| link.is_something())
+    }
+}
 
 #[cfg(test)]
 mod tests {
-    use super::Pair;
+    use super::Node;
     use crate::aabb::Aabb;
 
     #[test]
-    fn a_node_with_a_box_has_32_bytes_and_a_pair_fills_a_cache_line() {
-        assert_eq!(size_of::<Pair<Aabb>>(), 64, "bytes of two nodes");
+    fn a_child_with_a_box_has_32_bytes_and_four_fill_two_cache_lines() {
+        assert_eq!(size_of::<Node<Aabb>>(), 128, "bytes of four children");
     }
 }

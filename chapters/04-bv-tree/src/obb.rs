@@ -5,7 +5,7 @@ use ray_casting::math::gamma;
 use ray_casting::{Geometry, Interval, Ray};
 
 use crate::aabb::Aabb;
-use crate::bounding_volume::BoundingVolume;
+use crate::bounding_volume::{BoundingVolume, FourIntervals};
 use crate::frames;
 use crate::item::{Item, extent_along};
 use crate::slab::{SlabQuery, overlap};
@@ -38,8 +38,10 @@ impl Obb {
 }
 
 impl BoundingVolume for Obb {
-    type Pair = [Self; 2];
+    type Four = [Self; 4];
     type Query = ObbQuery;
+
+    const EMPTY: Self = Self { center: Vec3::ZERO, axes: Vec3::AXES, slabs: [Interval::EMPTY; 3] };
 
     // ANCHOR: enclosing
     /// Fits several frames and keeps the box with the least surface.
@@ -59,13 +61,13 @@ impl BoundingVolume for Obb {
     /// All of this padding in units of M = `reach`, which bounds every component of v − o and of
     /// c − o:
     ///
-    /// - √3 γ(8) for the padding of the other volumes, turned into an arbitrary direction;
+    /// - √3 γ(12) for the padding of the other volumes, turned into an arbitrary direction;
     /// - γ(4) · √3 for n·(o − c): a difference, a product and two sums, with Σ |nᵢ| ≤ √3;
     /// - γ(3) · √3 · √3 for n·d, whose error grows with t, and t |d| ≤ √3 M within the tree.
     ///
-    /// Together below γ(32).
+    /// Together below γ(40).
     fn query(ray: &Ray, reach: f32) -> ObbQuery {
-        ObbQuery { origin: ray.origin, direction: ray.direction, padding: gamma(32) * reach }
+        ObbQuery { origin: ray.origin, direction: ray.direction, padding: gamma(40) * reach }
     }
 
     // ANCHOR: clip
@@ -81,13 +83,13 @@ impl BoundingVolume for Obb {
     }
     // ANCHOR_END: clip
 
-    fn pair(left: &Self, right: &Self) -> [Self; 2] {
-        [*left, *right]
+    fn four(volumes: &[Self; 4]) -> [Self; 4] {
+        *volumes
     }
 
     #[inline]
-    fn clip_pair(pair: &[Self; 2], query: &Self::Query) -> [Interval; 2] {
-        [pair[0].clip(query), pair[1].clip(query)]
+    fn clip_four(four: &[Self; 4], query: &Self::Query) -> FourIntervals {
+        FourIntervals::one_by_one(four, query)
     }
 
     fn surface_area(&self) -> f32 {

@@ -3,6 +3,10 @@
 use ray_casting::Interval;
 use ray_casting::math::gamma;
 
+/// Next to zero, where floats are evenly spaced, a product is off by up to half a step, whatever its
+/// size: this many steps cover those of a test.
+const ROUNDING_NEAR_ZERO: f32 = f32::from_bits(4);
+
 /// A ray as one slab lo ≤ n·p ≤ hi wants it.
 ///
 /// With o = n·**o** and d = n·**d**, the ray crosses the plane n·p = c at t = (c − o) / d. Four
@@ -11,7 +15,7 @@ use ray_casting::math::gamma;
 ///
 /// 1. The slab is widened by a padding E to [lo − E, hi + E], for what the primitive's own test
 ///    rounded. It costs nothing: lo − E − o = lo − (o + E), so the origin moves instead, once a
-///    ray. The sum is rounded away from o.
+///    ray. That sum is rounded as well: γ(2) |o| is added to E for it, and a few of the smallest floats.
 /// 2. c − o, 1/d and their product are rounded: t is off by a factor within 1 ± γ(3). The plane
 ///    that the ray enters through is brought nearer by the factor 1 − γ(6), the other moved away by
 ///    1 + γ(6): enough for the rounding of the hit's own t, too. (A negative t moves the wrong way,
@@ -23,32 +27,30 @@ use ray_casting::math::gamma;
 /// 4. That also keeps the entry a lower bound when 1/d overflows for a tiny d.
 #[derive(Clone, Copy, Debug)]
 pub struct SlabQuery {
-    /// o + E.
-    pub origin_for_min: f32,
-    /// o − E.
-    pub origin_for_max: f32,
-    /// 1/d, corrected for the plane lo.
-    pub inverse_for_min: f32,
-    /// 1/d, corrected for the plane hi.
-    pub inverse_for_max: f32,
+    /// o + E or o − E, for the plane through which the ray enters,
+    pub origin_near: f32,
+    /// and for the one through which it leaves.
+    pub origin_far: f32,
+    /// 1/d, corrected for the plane through which the ray enters,
+    pub inverse_near: f32,
+    /// and for the one through which it leaves.
+    pub inverse_far: f32,
 }
 
 impl SlabQuery {
     // ANCHOR: new
     /// Prepares a ray with n·**o** = `origin` and n·**d** = `direction`.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn new(origin: f32, direction: f32, padding: f32) -> Self {
         // A zero of either sign counts as positive.
         let inverse = if direction == 0.0 { f32::INFINITY } else { 1.0 / direction };
-        let enter = inverse.clamp(-f32::MAX, f32::MAX) * (1.0 - gamma(6));
-        let leave = inverse * (1.0 + gamma(6));
-        let forward = inverse > 0.0;
+        let padding = (padding + gamma(2) * origin.abs() + ROUNDING_NEAR_ZERO).copysign(inverse);
         Self {
-            origin_for_min: (origin + padding).next_up(),
-            origin_for_max: (origin - padding).next_down(),
-            inverse_for_min: if forward { enter } else { leave },
-            inverse_for_max: if forward { leave } else { enter },
+            origin_near: origin + padding,
+            origin_far: origin - padding,
+            inverse_near: inverse.clamp(-f32::MAX, f32::MAX) * (1.0 - gamma(6)),
+            inverse_far: inverse * (1.0 + gamma(6)),
         }
     }
     // ANCHOR_END: new
@@ -57,7 +59,7 @@ impl SlabQuery {
     #[inline]
     #[must_use]
     pub fn is_backward(&self) -> bool {
-        self.inverse_for_min < 0.0
+        self.inverse_far < 0.0
     }
 
     // ANCHOR: clip
@@ -65,13 +67,11 @@ impl SlabQuery {
     #[inline]
     #[must_use]
     pub fn clip(&self, slab: Interval) -> Interval {
-        let at_min = (slab.min - self.origin_for_min) * self.inverse_for_min;
-        let at_max = (slab.max - self.origin_for_max) * self.inverse_for_max;
-        if self.is_backward() {
-            Interval::new(at_max, at_min)
-        } else {
-            Interval::new(at_min, at_max)
-        }
+        let (near, far) =
+            if self.is_backward() { (slab.max, slab.min) } else { (slab.min, slab.max) };
+        let enter = (near - self.origin_near) * self.inverse_near;
+        let leave = (far - self.origin_far) * self.inverse_far;
+        Interval::new(enter, leave)
     }
     // ANCHOR_END: clip
 }

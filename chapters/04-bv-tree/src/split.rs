@@ -44,11 +44,8 @@ pub(crate) fn split(builder: Builder, whole: &Aabb, items: &mut [Item]) -> Optio
     }
 }
 
-/// A median leaf holds at most this many primitives.
-const MEDIAN_LEAF: usize = 4;
-
 fn split_at_median(items: &mut [Item]) -> Option<Split> {
-    if items.len() <= MEDIAN_LEAF {
+    if items.len() <= LEAF {
         return None;
     }
     let centers = center_bounds(items);
@@ -87,11 +84,11 @@ const BINS: usize = 32;
 /// Items to a task.
 const PARALLEL: usize = 1 << 14;
 
-/// What testing a primitive costs beside testing a pair of boxes.
-const PRIMITIVE_COST: f32 = 1.0;
+/// The most primitives that a leaf holds: as many triangles as are tested together.
+pub(crate) const LEAF: usize = 4;
 
-/// A leaf may hold more than the heuristic wants only if nothing separates its items.
-const MAX_LEAF: usize = 8;
+/// What testing the primitives of a leaf costs beside testing the boxes of a node.
+const LEAF_COST: f32 = 4.0;
 
 /// One part of the spread: what lies in it.
 #[derive(Clone, Copy)]
@@ -108,14 +105,15 @@ const NO_BINS: Bins = [[Bin { bounds: Aabb::EMPTY, count: 0 }; BINS]; 3];
 /// The surface area heuristic [GoldsmithSalmon87], over bins [Wald07].
 ///
 /// A line that meets a convex body of area A meets a convex part of area a with probability a / A.
-/// A ray that has entered the whole therefore pays on average, in units of one pair of box tests,
+/// A ray that has entered the whole therefore pays on average, in units of one node's box tests,
 ///
 /// ```text
-/// 1 + C (a_left n_left + a_right n_right) / A      for a split,
-/// C n                                              for a leaf
+/// 1 + C (a_left g_left + a_right g_right) / A      for a split,
+/// C                                                for a leaf
 /// ```
 ///
-/// Only splits between bins are tried, on all three axes.
+/// where g = ⌈n/4⌉ is how many leaves n primitives fill at least. Only splits between bins are
+/// tried, on all three axes.
 fn split_by_area(whole: &Aabb, items: &mut [Item]) -> Option<Split> {
     let n = items.len();
     if n < 2 {
@@ -124,11 +122,9 @@ fn split_by_area(whole: &Aabb, items: &mut [Item]) -> Option<Split> {
     let binning = Binning::new(&center_bounds(items));
     let bins = binning.fill(items);
     let best = best_plane(&bins);
-    let Some(plane) = best else {
-        return if n > MAX_LEAF { split_at_median(items) } else { None };
-    };
-    let split_cost = 1.0 + PRIMITIVE_COST * plane.cost / whole.surface_area();
-    if n <= MAX_LEAF && split_cost >= PRIMITIVE_COST * n as f32 {
+    let Some(plane) = best else { return split_at_median(items) };
+    let split_cost = 1.0 + LEAF_COST * plane.cost / whole.surface_area();
+    if n <= LEAF && split_cost >= LEAF_COST {
         return None;
     }
     let left_count = partition(items, |item| binning.bin(item)[plane.axis] < plane.bin);
@@ -197,7 +193,7 @@ struct Plane {
     axis: usize,
     /// The first bin on its right.
     bin: usize,
-    /// a_left n_left + a_right n_right.
+    /// a_left g_left + a_right g_right.
     cost: f32,
     left: Aabb,
     right: Aabb,
@@ -221,13 +217,19 @@ fn best_plane(bins: &Bins) -> Option<Plane> {
                 continue;
             }
             let cost =
-                left.0.surface_area() * left.1 as f32 + right.0.surface_area() * right.1 as f32;
+                left.0.surface_area() * leaves(left.1) + right.0.surface_area() * leaves(right.1);
             if best.as_ref().is_none_or(|best| cost < best.cost) {
                 best = Some(Plane { axis, bin, cost, left: left.0, right: right.0 });
             }
         }
     }
     best
+}
+
+/// How many leaves `n` primitives fill at least.
+#[inline]
+fn leaves(n: u32) -> f32 {
+    n.div_ceil(LEAF as u32) as f32
 }
 
 /// Moves the items for which `is_left` holds to the front and counts them.

@@ -1,6 +1,6 @@
 //! Boxes that lose what they enclose. For the wrong pictures; nothing else uses them.
 
-use bv_tree::{Aabb, AabbPair, BoundingVolume, Item};
+use bv_tree::{Aabb, BoundingVolume, FourIntervals, Item};
 use glam::Vec3;
 use ray_casting::{Geometry, Interval, Ray};
 
@@ -58,7 +58,9 @@ macro_rules! naive_volume {
     ($volume:ident, $clip:ident) => {
         impl BoundingVolume for $volume {
             type Query = PlainQuery;
-            type Pair = AabbPair;
+            type Four = [Self; 4];
+
+            const EMPTY: Self = Self(Aabb::EMPTY);
 
             fn enclosing(bounds: &Aabb, _: &[Item], _: &Geometry) -> Self {
                 Self(*bounds)
@@ -72,12 +74,12 @@ macro_rules! naive_volume {
                 $clip(self.0.min.to_array(), self.0.max.to_array(), query)
             }
 
-            fn pair(left: &Self, right: &Self) -> AabbPair {
-                Aabb::pair(&left.0, &right.0)
+            fn four(volumes: &[Self; 4]) -> [Self; 4] {
+                *volumes
             }
 
-            fn clip_pair(pair: &AabbPair, query: &PlainQuery) -> [Interval; 2] {
-                [0, 1].map(|k| $clip(pair.map(|p| p[k]), pair.map(|p| p[k + 2]), query))
+            fn clip_four(four: &[Self; 4], query: &PlainQuery) -> FourIntervals {
+                FourIntervals::one_by_one(four, query)
             }
 
             fn surface_area(&self) -> f32 {

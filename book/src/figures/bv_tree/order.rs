@@ -1,6 +1,6 @@
 //! What it brings to visit the nearer child first and to drop what lies behind the nearest hit.
 
-use bv_tree::{Aabb, AabbPair, AabbQuery, BoundingVolume, Builder, Item};
+use bv_tree::{Aabb, AabbQuery, BoundingVolume, Builder, FourBoxes, FourIntervals, Item};
 use ray_casting::{Geometry, Interval, Ray};
 
 use super::workload::{AABB, Volume, Workload, balls, comparison, volume};
@@ -19,7 +19,9 @@ const fn silent(inside: Interval) -> Interval {
 
 impl BoundingVolume for SilentBox {
     type Query = AabbQuery;
-    type Pair = AabbPair;
+    type Four = FourBoxes;
+
+    const EMPTY: Self = Self(Aabb::EMPTY);
 
     fn enclosing(bounds: &Aabb, _: &[Item], _: &Geometry) -> Self {
         Self(*bounds)
@@ -33,12 +35,14 @@ impl BoundingVolume for SilentBox {
         silent(self.0.clip(query))
     }
 
-    fn pair(left: &Self, right: &Self) -> AabbPair {
-        Aabb::pair(&left.0, &right.0)
+    fn four(volumes: &[Self; 4]) -> FourBoxes {
+        Aabb::four(&volumes.map(|volume| volume.0))
     }
 
-    fn clip_pair(pair: &AabbPair, query: &AabbQuery) -> [Interval; 2] {
-        Aabb::clip_pair(pair, query).map(silent)
+    fn clip_four(four: &FourBoxes, query: &AabbQuery) -> FourIntervals {
+        let FourIntervals { min, max } = Aabb::clip_four(four, query);
+        let inside = [0, 1, 2, 3].map(|i| silent(Interval::new(min[i], max[i])));
+        FourIntervals { min: inside.map(|i| i.min), max: inside.map(|i| i.max) }
     }
 
     fn surface_area(&self) -> f32 {

@@ -1,7 +1,7 @@
 //! How much empty space a volume encloses, told by the lines that enter it for nothing.
 
 use bv_tree::{Aabb, BoundingVolume, Item, KDop, Obb};
-use ray_casting::{Geometry, PreparedRay, Ray};
+use ray_casting::{Geometry, Ray, ShearedRay};
 use workbench::Sampler;
 
 use super::probability::line;
@@ -54,7 +54,7 @@ fn groups(geometry: &Geometry, size: usize) -> Vec<Group> {
         let lines: Vec<_> =
             (0..each).map(|k| line(&mut Sampler::new(8, i, k), center, radius)).collect();
         let is_hit = |ray: &&Ray| {
-            let ray = PreparedRay::new(ray);
+            let ray = ShearedRay::new(ray);
             items.iter().any(|item| geometry.intersect_primitive(&ray, item.primitive).is_some())
         };
         let hits = lines.iter().filter(is_hit).count();

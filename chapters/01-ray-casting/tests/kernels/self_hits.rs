@@ -113,6 +113,27 @@ fn grazing_rays_leave_a_wide_floor_on_their_side() {
     }
 }
 
+/// The same in any plane, for directions so close to it that rounding decides on which side they lead.
+#[test]
+fn rays_along_a_tilted_triangle_do_not_meet_it() {
+    let mut ambiguous = 0;
+    for i in 0..RAYS {
+        let mut sampler = Sampler::new(19, i, 0);
+        let (scene, ray) = triangle_case(10.0_f32.powi((i % 9) as i32 - 4), &mut sampler);
+        let Some(surface) = surface(&scene, &ray) else { continue };
+        let normal = surface.geometric_normal;
+        let along = normal.cross(direction(&mut sampler)).normalize();
+        let slope = 10.0_f32.powf(-4.0 - 5.0 * sampler.next_1d());
+        let slope = if i % 2 == 0 { slope } else { -slope };
+        let grazing = (along + slope * normal).normalize();
+        ambiguous += usize::from((grazing.dot(normal) < 0.0) != (slope < 0.0));
+        let next = surface.spawn(grazing);
+        let again = nearest(&scene.geometry, &next);
+        assert_eq!(again, None, "slope {slope:e}: {next:?} from {surface:?}");
+    }
+    assert!(ambiguous > 1000, "only {ambiguous} directions were close enough to the plane");
+}
+
 /// Inside a sphere every ray finds the opposite wall, none the wall that it leaves.
 #[test]
 fn a_ray_that_enters_a_sphere_meets_its_other_side() {

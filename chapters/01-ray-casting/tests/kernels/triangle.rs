@@ -133,6 +133,41 @@ fn small_and_distant_triangles_are_hit_in_their_middle() {
     }
 }
 
+/// Whatever its size: rounding of the far corners does not hide what lies close by.
+#[test]
+fn a_wide_floor_is_seen_from_close_above() {
+    for exponent in 2..=6 {
+        let size = 10.0_f32.powi(exponent);
+        let floor =
+            [vec3(-size, 0.0, -size), vec3(-size, 0.0, 3.0 * size), vec3(3.0 * size, 0.0, -size)];
+        for i in 0..2000 {
+            let mut sampler = Sampler::new(6, i, 0);
+            let d = in_cube(&mut sampler);
+            let origin = vec3(0.5 * size * d.y, 1.0, -0.2 * size * d.x);
+            let down = vec3(d.x, -0.2 - 0.8 * d.z.abs(), d.y).normalize();
+            let hit = intersect(&Ray::new(origin, down), &floor);
+            assert!(hit.is_some(), "floor of {size:e}: {origin} along {down} misses");
+        }
+    }
+}
+
+/// A ray that starts in the corner of a room, next to one wall, meets the other wall.
+#[test]
+fn a_wall_is_met_from_the_next_float_before_it() {
+    let wall = [vec3(2.0, -9.0, -7.0), vec3(2.0, 11.0, -7.0), vec3(2.0, 1.0, 13.0)];
+    for i in 0..20_000 {
+        let mut sampler = Sampler::new(7, i, 0);
+        let d = in_cube(&mut sampler);
+        let direction = vec3(0.1 + d.x.abs(), d.y, d.z).normalize();
+        let mut x = 2.0_f32;
+        for _ in 0..1 + i % 4 {
+            x = x.next_down();
+        }
+        let hit = intersect(&Ray::new(vec3(x, 0.3 * d.z, 0.2 * d.y), direction), &wall);
+        assert!(hit.is_some(), "from x = {x} along {direction}");
+    }
+}
+
 /// accuracy T12: a triangle of the size of an orbit, and a ray that goes on behind it.
 #[test]
 fn a_huge_triangle_is_hit_once() {

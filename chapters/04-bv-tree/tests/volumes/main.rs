@@ -1,9 +1,9 @@
 //! What bounding volumes promise: never to miss what they enclose.
 
 mod boxes;
+mod fours;
 mod misses;
 mod oriented;
-mod pairs;
 mod polytopes;
 mod slabs;
 mod tools;

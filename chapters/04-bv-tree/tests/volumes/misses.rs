@@ -2,7 +2,7 @@
 
 use bv_tree::{Aabb, BoundingVolume, KDop, Obb};
 use glam::{Vec3, vec3};
-use ray_casting::{Geometry, PreparedRay, Ray, Sphere};
+use ray_casting::{Geometry, Ray, ShearedRay, Sphere};
 use workbench::Sampler;
 
 use crate::tools::{Enclosed, in_cube, magnitude, toward, triangles};
@@ -57,9 +57,17 @@ fn check<V: BoundingVolume>(name: &str, count: u64) {
             let away = magnitude(&mut sampler, 2.0) * size * in_cube(&mut sampler);
             let mut along = Vec3::ZERO;
             along[(i % 3) as usize] = 2.0 * size;
-            for ray in
-                [toward(target + away, target), Ray::new(target - along, along / (2.0 * size))]
-            {
+            // From afar, along an axis, and from a few floats beside the target.
+            let beside = target.to_array().map(|x| match (sampler.next_1d() * 3.0) as u32 {
+                0 => x.next_down(),
+                1 => x,
+                _ => x.next_up(),
+            });
+            for ray in [
+                toward(target + away, target),
+                Ray::new(target - along, along / (2.0 * size)),
+                Ray::new(Vec3::from_array(beside), in_cube(&mut sampler).normalize_or(Vec3::X)),
+            ] {
                 hits += compare(name, &geometry, &enclosed, &ray);
             }
         }
@@ -69,7 +77,7 @@ fn check<V: BoundingVolume>(name: &str, count: u64) {
 
 /// Asserts that what is hit lies inside; how many hits that were.
 fn compare<V: BoundingVolume>(name: &str, geometry: &Geometry, v: &Enclosed<V>, ray: &Ray) -> u32 {
-    let (prepared, inside) = (PreparedRay::new(ray), v.clip(ray));
+    let (prepared, inside) = (ShearedRay::new(ray), v.clip(ray));
     let mut hits = 0;
     for primitive in 0..geometry.primitives() {
         let Some(hit) = geometry.intersect_primitive(&prepared, primitive) else { continue };
