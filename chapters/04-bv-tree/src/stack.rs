@@ -15,10 +15,10 @@ pub(crate) struct Waiting {
 /// The nodes that wait; those that wait longest lie at the bottom.
 pub(crate) struct Stack {
     /// The first ones. Hardly ever do more wait in a small scene.
-    some: [Waiting; Stack::SOME],
+    some: [Waiting; Self::SOME],
     /// The others. Clearing the memory for all that could ever wait would cost a ray in a small scene
     /// more than its search, so it is left to those rays that need it.
-    more: Option<[Waiting; Stack::MOST - Stack::SOME]>,
+    more: Option<[Waiting; Self::MOST - Self::SOME]>,
     len: usize,
 }
 
