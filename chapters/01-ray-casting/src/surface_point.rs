@@ -95,35 +95,18 @@ impl SurfacePoint {
 /// A point that lies surely on the side of the surface to which `direction` points.
 ///
 /// ```text
-/// o = p ± δ n,   δ = Σ |nᵢ| eᵢ
+/// o = p ± δ n,   δ = Σ |nᵢ| (eᵢ + γ(2) |pᵢ|)
 /// ```
 ///
 /// The exact point lies in the box **p** ± **e**, and no corner of that box is farther from **p**
-/// along **n** than δ. Adding δ **n** rounds once more, so each component is moved on to the next
-/// float away from **p** [PBR4] §6.8.6. No constant is involved: the step is a few units in the
-/// last place of **p**, at every scale. [`offset_by_epsilon`] is what it replaces.
+/// along **n** than Σ |nᵢ| eᵢ [PBR4] §6.8.6. Adding δ **n** rounds once more, by at most u |pᵢ| for
+/// each component: that is moved away from as well. The last factor covers the roundings of δ itself.
+/// No constant is involved: the step is a few units in the last place of **p**, at every scale.
+/// [`offset_by_epsilon`] is what it replaces.
 #[inline]
 fn offset(position: Vec3, error: Vec3, n: Vec3, direction: Vec3) -> Vec3 {
-    let distance = n.abs().dot(error);
-    let side = if direction.dot(n) < 0.0 { -1.0 } else { 1.0 };
-    let offset = side * distance * n;
-
-    let moved = position + offset;
-    let x = beyond(moved.x, offset.x);
-    let y = beyond(moved.y, offset.y);
-    Vec3::new(x, y, beyond(moved.z, offset.z))
-}
-
-/// The next float after `x` on the way that `step` went.
-#[inline]
-fn beyond(x: f32, step: f32) -> f32 {
-    if step > 0.0 {
-        x.next_up()
-    } else if step < 0.0 {
-        x.next_down()
-    } else {
-        x
-    }
+    let distance = (1.0 + gamma(8)) * n.abs().dot(error + gamma(2) * position.abs());
+    position + distance.copysign(direction.dot(n)) * n
 }
 // ANCHOR_END: offset
 

@@ -130,7 +130,7 @@ impl BoundingVolume for Aabb {
     // ANCHOR: clip_four
     /// As [`clip`](Self::clip), for four boxes at a time: the compiler turns each line into
     /// instructions that work on four numbers.
-    #[inline]
+    #[inline(always)]
     fn clip_four(planes: &FourBoxes, query: &AabbQuery) -> FourIntervals {
         let (mut min, mut max) = ([0.0; 4], [f32::INFINITY; 4]);
         for (planes, axis) in planes.iter().zip(&query.axes) {
