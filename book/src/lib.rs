@@ -10,11 +10,12 @@
 //! from outside | | [`figures`] | the table of figures: make them, or check that they have not
 //! drifted | | [`measurements`] | the tables of run times, refreshed by hand |
 //! | [`warnings`], [`folder`] | what mdBook logs; files and folders |
-//! | [`picture`], [`plot`], [`axis`], [`table`], [`numbers`] | what a figure can be |
+//! | [`picture`], [`plot`], [`axis`], [`diagram`], [`table`], [`numbers`] | what a figure can be |
 
 pub mod axis;
 pub mod citations;
 pub mod course;
+pub mod diagram;
 pub mod figures;
 pub mod folder;
 pub mod formulas;

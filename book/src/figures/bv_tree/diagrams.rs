@@ -1,88 +1,9 @@
 //! Drawings of the derivations. Nothing in them is measured.
 
-use std::fmt::Write;
-
 use glam::{Vec2, vec2};
 
+use crate::diagram::Diagram;
 use crate::figures::Drawing;
-
-/// Lines and words in the colours of the page.
-struct Diagram(String);
-
-impl Diagram {
-    /// An empty drawing, 680 wide, with words for readers who cannot see it.
-    fn new(height: u32, description: &str) -> Self {
-        Self(format!(
-            "<svg class=\"plot\" viewBox=\"0 0 680 {height}\" role=\"img\" \
-             aria-label=\"{description}\" font-size=\"15\" fill=\"none\" stroke=\"none\" \
-             color=\"currentColor\">\n"
-        ))
-    }
-
-    /// A path in the colour of a series; series 0 is the colour of the text.
-    fn path(&mut self, series: u32, width: f32, dashes: &str, path: &str) {
-        self.draw(
-            series,
-            &format!(
-                "<path d=\"{path}\" stroke=\"currentColor\" stroke-width=\"{width}\" \
-                 stroke-dasharray=\"{dashes}\" stroke-linejoin=\"round\"/>"
-            ),
-        );
-    }
-
-    /// A closed polygon, its inside faintly coloured.
-    fn polygon(&mut self, series: u32, opacity: f32, points: &[Vec2]) {
-        let corners: Vec<_> = points.iter().map(|p| format!("{:.1},{:.1}", p.x, p.y)).collect();
-        self.draw(
-            series,
-            &format!(
-                "<polygon points=\"{}\" stroke=\"currentColor\" stroke-width=\"2\" \
-                 fill=\"currentColor\" fill-opacity=\"{opacity}\" stroke-linejoin=\"round\"/>",
-                corners.join(" ")
-            ),
-        );
-    }
-
-    fn boxed(&mut self, series: u32, opacity: f32, [x, y]: [f32; 2], [w, h]: [f32; 2]) {
-        let corners = [vec2(x, y), vec2(x + w, y), vec2(x + w, y + h), vec2(x, y + h)];
-        self.polygon(series, opacity, &corners);
-    }
-
-    /// A line with a head at its end.
-    fn arrow(&mut self, series: u32, from: Vec2, to: Vec2) {
-        let back = 9.0 * (from - to).normalize();
-        let heads = [1.0, -1.0].map(|side| to + back + 0.45 * side * back.perp());
-        let [a, b] = heads.map(|p| format!("{:.1} {:.1}", p.x, p.y));
-        let line = format!("M{} {}L{} {}M{a}L{} {}L{b}", from.x, from.y, to.x, to.y, to.x, to.y);
-        self.path(series, 2.0, "none", &line);
-    }
-
-    fn dot(&mut self, series: u32, p: Vec2) {
-        let dot =
-            format!("<circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"4\" fill=\"currentColor\"/>", p.x, p.y);
-        self.draw(series, &dot);
-    }
-
-    /// Words that begin at, stand around or end at a point: `start`, `middle` or `end`.
-    fn text(&mut self, series: u32, anchor: &str, [x, y]: [f32; 2], words: &str) {
-        self.draw(
-            series,
-            &format!(
-                "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" fill=\"currentColor\">{words}</text>"
-            ),
-        );
-    }
-
-    fn draw(&mut self, series: u32, element: &str) {
-        let class = if series == 0 { String::new() } else { format!(" class=\"series-{series}\"") };
-        // Writing to a String cannot fail.
-        let _ = writeln!(self.0, "<g{class}>{element}</g>");
-    }
-
-    fn finish(self) -> Drawing {
-        Drawing::Text(self.0 + "</svg>\n")
-    }
-}
 
 /// The planes of the box in `slabs`: x from 180 to 330, y from 80 to 190.
 const X: [f32; 2] = [180.0, 330.0];
@@ -111,8 +32,9 @@ pub(super) fn slabs() -> Drawing {
         let slope = (to.y - from.y) / (to.x - from.x);
         let at_x = X.map(|x| vec2(x, from.y + slope * (x - from.x)));
         let at_y = Y.map(|y| vec2(from.x + (y - from.y) / slope, y));
-        at_x.iter().for_each(|&p| d.dot(1, p));
-        at_y.iter().for_each(|&p| d.dot(2, p));
+        for (p, q) in at_x.into_iter().zip(at_y) {
+            d.dot(1, p).dot(2, q);
+        }
         d.text(series, "start", [20.0, bars + 13.0], name);
         d.path(1, 7.0, "none", &format!("M{:.1} {bars}H{:.1}", at_x[0].x, at_x[1].x));
         let y = bars + 16.0;

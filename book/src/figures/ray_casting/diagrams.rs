@@ -1,87 +1,7 @@
 //! Drawings of the derivations. Nothing in them is measured.
 
-use std::fmt::Write;
-
+use crate::diagram::{Diagram, bold};
 use crate::figures::Drawing;
-
-/// A drawing of lines and words in the colours of the page.
-struct Diagram(String);
-
-impl Diagram {
-    /// An empty drawing, 680 wide, with words for readers who cannot see it.
-    fn new(height: u32, description: &str) -> Self {
-        Self(format!(
-            "<svg class=\"plot\" viewBox=\"0 0 680 {height}\" role=\"img\" \
-             aria-label=\"{description}\" font-size=\"15\" fill=\"none\" stroke=\"none\" \
-             color=\"currentColor\">\n"
-        ))
-    }
-
-    /// A path of the given weight, in the colour of a series; series 0 is the colour of the text.
-    fn path(mut self, series: u32, width: f32, dashes: &str, path: &str) -> Self {
-        let class = class(series);
-        // Writing to a String cannot fail.
-        let _ = writeln!(
-            self.0,
-            "<g{class}><path d=\"{path}\" stroke=\"currentColor\" stroke-width=\"{width}\" \
-             stroke-dasharray=\"{dashes}\" stroke-linejoin=\"round\"/></g>"
-        );
-        self
-    }
-
-    /// A line with a head at its end.
-    fn arrow(self, series: u32, from: [f32; 2], to: [f32; 2]) -> Self {
-        let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-        let length = (dx * dx + dy * dy).sqrt();
-        let (dx, dy) = (9.0 * dx / length, 9.0 * dy / length);
-        let head = |side: f32| {
-            let (x, y) = (to[0] - dx - side * 0.45 * dy, to[1] - dy + side * 0.45 * dx);
-            format!("{x:.1} {y:.1}")
-        };
-        let line = format!(
-            "M{:.1} {:.1}L{:.1} {:.1}M{}L{:.1} {:.1}L{}",
-            from[0],
-            from[1],
-            to[0],
-            to[1],
-            head(1.0),
-            to[0],
-            to[1],
-            head(-1.0)
-        );
-        self.path(series, 2.0, "none", &line)
-    }
-
-    /// A dot.
-    fn dot(mut self, series: u32, [x, y]: [f32; 2]) -> Self {
-        let class = class(series);
-        let _ = writeln!(
-            self.0,
-            "<g{class}><circle cx=\"{x}\" cy=\"{y}\" r=\"4\" fill=\"currentColor\"/></g>"
-        );
-        self
-    }
-
-    /// Words that begin at, stand around or end at a point: `start`, `middle` or `end`.
-    fn text(mut self, series: u32, anchor: &str, [x, y]: [f32; 2], words: &str) -> Self {
-        let class = class(series);
-        let _ = writeln!(
-            self.0,
-            "<g{class}><text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" \
-             fill=\"currentColor\">{words}</text></g>"
-        );
-        self
-    }
-
-    fn finish(self) -> Drawing {
-        Drawing::Text(self.0 + "</svg>\n")
-    }
-}
-
-/// The attribute that gives an element the colour of a series; series 0 keeps that of the text.
-fn class(series: u32) -> String {
-    if series == 0 { String::new() } else { format!(" class=\"series-{series}\"") }
-}
 
 /// The camera from the side: eye, picture at distance 1, the ray through a point of it.
 pub(super) fn camera() -> Drawing {
@@ -120,13 +40,13 @@ pub(super) fn sphere() -> Drawing {
     .arrow(1, [60.0, 100.0], [640.0, 100.0])
     .text(1, "middle", [620.0, 90.0], "ray")
     .dot(1, [60.0, 100.0])
-    .text(1, "middle", [60.0, 86.0], "<tspan font-weight=\"bold\">o</tspan>")
+    .text(1, "middle", [60.0, 86.0], &bold("o"))
     .dot(0, [430.0, 160.0])
-    .text(0, "start", [438.0, 178.0], "<tspan font-weight=\"bold\">c</tspan>")
+    .text(0, "start", [438.0, 178.0], &bold("c"))
     .arrow(0, [430.0, 160.0], [68.0, 102.0])
-    .text(0, "middle", [210.0, 148.0], "<tspan font-weight=\"bold\">f</tspan>")
+    .text(0, "middle", [210.0, 148.0], &bold("f"))
     .arrow(2, [430.0, 160.0], [430.0, 102.0])
-    .text(2, "start", [437.0, 136.0], "<tspan font-weight=\"bold\">l</tspan>")
+    .text(2, "start", [437.0, 136.0], &bold("l"))
     .path(0, 1.5, "5 4", "M430 160L350 100")
     .text(0, "end", [384.0, 144.0], "r")
     .dot(3, [350.0, 100.0])
