@@ -10,6 +10,7 @@ pub(crate) mod light_sampling;
 mod mirror_refraction;
 mod path_tracing;
 mod ray_casting;
+pub(crate) mod rendering_equation;
 mod workbench;
 
 use std::collections::BTreeSet;
@@ -43,7 +44,7 @@ pub struct Figure {
 pub enum Drawing {
     /// A picture: `.png`, compared pixel by pixel after decoding.
     Picture(Picture),
-    /// A plot (`.svg`), a table or numbers (`.md`): compared exactly.
+    /// A plot or a diagram (`.svg`), a table or numbers (`.md`): compared exactly.
     Text(String),
 }
 
@@ -80,6 +81,7 @@ pub fn all() -> Vec<Figure> {
         blinn_phong::FIGURES,
         mirror_refraction::FIGURES,
         bv_tree::FIGURES,
+        rendering_equation::FIGURES,
         path_tracing::FIGURES,
         light_sampling::FIGURES,
     ]

@@ -1,34 +1,38 @@
-//! Measurements: tables of run times, which no check can expect to come out the same twice.
+//! Measurements: tables and plots of run times, which no check can expect to come out the same
+//! twice.
 //!
-//! They are taken by hand, on an idle machine, and committed. A table shows ratios, which carry
-//! over to other machines better than seconds do, and names the processor that it was taken on.
+//! They are taken by hand, on an idle machine, and committed. They show ratios, which carry over to
+//! other machines better than seconds do. A table names the processor that it was taken on; a plot
+//! stands beside such a table.
 
 mod bv_tree;
+mod rendering_equation;
 
 use std::fs;
 use std::path::Path;
 use std::thread;
 use std::time::Instant;
 
-use crate::table::Table;
+use crate::figures::Drawing;
 use crate::{Error, Result, folder};
 
 /// Where the measurements stand, seen from the book's folder.
 pub const FOLDER: &str = "pages/measurements";
 
-/// A table of the book that a stopwatch had a part in.
+/// A table or a plot of the book that a stopwatch had a part in.
 #[derive(Clone, Copy, Debug)]
 pub struct Measurement {
-    /// Its path under `pages/measurements/`, for example `04-bv-tree/run-time.md`.
+    /// Its path under `pages/measurements/`: `04-bv-tree/run-time.md` for a table, `.svg` for a
+    /// plot.
     pub file: &'static str,
     /// Takes it: seconds to a few minutes.
-    pub take: fn() -> Table,
+    pub take: fn() -> Drawing,
 }
 
 /// Every measurement of the book, chapter by chapter.
 #[must_use]
 pub fn all() -> Vec<Measurement> {
-    [bv_tree::MEASUREMENTS].concat()
+    [bv_tree::MEASUREMENTS, rendering_equation::MEASUREMENTS].concat()
 }
 
 /// Takes the measurements whose file name contains `only`, and writes them into the book at `root`.
@@ -51,9 +55,13 @@ pub fn take(root: &Path, only: &str) -> Result<()> {
     let machine = format!("Measured on: {}, {cores} threads.", processor());
     for measurement in chosen {
         eprintln!("{} …", measurement.file);
-        let table = (measurement.take)().markdown();
-        let file = root.join(FOLDER).join(measurement.file);
-        folder::write(&file, format!("{table}\n{machine}\n"))?;
+        let Drawing::Text(mut text) = (measurement.take)() else {
+            return Err(Error::msg(format!("{} is a picture", measurement.file)));
+        };
+        if measurement.file.ends_with(".md") {
+            text = format!("{text}\n{machine}\n");
+        }
+        folder::write(&root.join(FOLDER).join(measurement.file), text)?;
     }
     Ok(())
 }

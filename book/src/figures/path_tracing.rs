@@ -1,12 +1,12 @@
 //! The figures of chapter 6.
 
 #[path = "../../../chapters/06-path-tracing/tests/paths/as_printed.rs"]
-mod as_printed;
+pub(super) mod as_printed;
 mod caustic;
 mod depth;
 mod policies;
 mod printed;
-mod rooms;
+pub(super) mod rooms;
 mod roulette;
 mod stage;
 mod stopping;

@@ -8,6 +8,7 @@ use ray_casting::{Geometry, LinearSearch};
 use workbench::Unwatched;
 
 use super::Measurement;
+use crate::figures::Drawing;
 use crate::figures::bv_tree::naive::UnpaddedBox;
 use crate::figures::bv_tree::workload::{
     AABB, Workload, blob, comparison, scene, stopwatch, terrain,
@@ -43,7 +44,7 @@ fn alternating(work: &[Box<dyn Fn() -> u64 + '_>]) -> Vec<f64> {
 }
 
 /// How many times faster a tree is than a linear search, beside how many times fewer it tests.
-fn linear() -> Table {
+fn linear() -> Drawing {
     let mut table = Table::new(&["scene", "primitives", "times fewer tests", "times faster"]);
     for name in ["cornell-box", "sphereflake", "teapot", "whitted-teapot"] {
         let workload = Workload::record(name, scene(name), 60);
@@ -60,7 +61,7 @@ fn linear() -> Table {
             format!("{:.1}", seconds[0] / seconds[1]),
         ]);
     }
-    table
+    table.into()
 }
 
 /// Times relative to that of the first.
@@ -70,7 +71,7 @@ fn relative(name: &str, seconds: &[f64]) -> Vec<String> {
 }
 
 /// The time to ask all rays of a scene, relative to AABB.
-fn volumes() -> Table {
+fn volumes() -> Drawing {
     let mut table = Table::new(&[
         "scene",
         "AABB",
@@ -93,11 +94,11 @@ fn volumes() -> Table {
         ]);
         table.row(relative(workload.name, &seconds));
     }
-    table
+    table.into()
 }
 
 /// The time to build each tree, relative to AABB with SAH.
-fn build() -> Table {
+fn build() -> Drawing {
     let mut table = Table::new(&[
         "scene",
         "AABB",
@@ -121,7 +122,7 @@ fn build() -> Table {
         ]);
         table.row(relative(workload.name, &seconds));
     }
-    table
+    table.into()
 }
 
 fn building<V: BoundingVolume>(geometry: &Geometry, builder: Builder) -> Box<dyn Fn() -> u64 + '_> {
@@ -129,7 +130,7 @@ fn building<V: BoundingVolume>(geometry: &Geometry, builder: Builder) -> Box<dyn
 }
 
 /// The time a ray and the time to build, relative to those of the smallest mesh.
-fn growth() -> Table {
+fn growth() -> Drawing {
     let mut table = Table::new(&["mesh", "triangles", "time a ray", "build time a triangle"]);
     let blobs = [23, 71, 224, 708].map(|n| Workload::record("blob", blob(n), 200));
     let terrains = [22, 71, 224, 707].map(|side| Workload::record("terrain", terrain(side), 200));
@@ -156,5 +157,5 @@ fn growth() -> Table {
             ]);
         }
     }
-    table
+    table.into()
 }

@@ -52,7 +52,7 @@ pub(super) fn down() -> Ray {
 
 /// The Cornell box, closed by a white front wall before which the eye stands, with a lamp that
 /// fills most of the ceiling, so that a path finds it soon, and that is no brighter than white.
-pub(super) fn closed_box() -> Scene {
+pub(crate) fn closed_box() -> Scene {
     let mut scene = scene("cornell-box");
     let shines = |scene: &Scene, m: u32| scene.materials[m as usize].ke != [0.0; 3];
     let lamp = scene.attributes.materials.iter().position(|&m| shines(&scene, m));
