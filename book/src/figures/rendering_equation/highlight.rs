@@ -75,6 +75,8 @@ pub(super) fn curves() -> Drawing {
 pub(super) fn numbers() -> Drawing {
     let steps = (0..=2000).map(|i| f64::from(i) / 50.0);
     let worst = steps.max_by(|a, b| common(*a).total_cmp(&common(*b))).expect("there are steps");
+    let least = (1..=2000).map(|i| common(f64::from(i) / 50.0)).fold(f64::INFINITY, f64::min);
+    assert!(least > 1.0, "the common factor is {least} times the exact one");
     let mut numbers = Numbers::new();
     numbers.add("worst-p", format!("{worst:.0}"));
     numbers.add("worst-gain", format!("{:.1}", 100.0 * (common(worst) - 1.0)));
