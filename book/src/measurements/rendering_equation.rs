@@ -84,8 +84,9 @@ fn table() -> Drawing {
             format!("{:.1}", price.rays),
             format!("{time:.2}"),
             format!("{:.2}", time / rays),
-            format!("{:.2}", rays * variance),
-            format!("{:.2}", time * variance),
+            // The variance is uncertain by about a tenth.
+            format!("{:.1}", rays * variance),
+            format!("{:.1}", time * variance),
         ]);
     }
     table.into()

@@ -12,7 +12,7 @@ use crate::table::Table;
 /// Errors against N for ∫ cos θ dω and the two narrow functions.
 pub(super) fn errors() -> Drawing {
     let curve = |integrand, sampling, name: &str| {
-        let study = Study { integrand, samples: 65_536, runs: 51, seed: 0 };
+        let study = Study { integrand, samples: 65_536, runs: 41, seed: 0 };
         let exact = integrand.integral();
         let rows = study.course(sampling).rows;
         let points = rows.iter().map(|r| [r.estimate.samples as f64, r.typical_error / exact]);

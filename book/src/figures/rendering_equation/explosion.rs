@@ -4,7 +4,7 @@ use bv_tree::{Aabb, Builder, BvTree};
 use light_sampling::{Estimator, Heuristic, LightTracer, Settings};
 use path_tracing::{Ending, Roulette};
 use ray_casting::{LinearSearch, Scene};
-use rendering_equation::{Density, DistributedTracer};
+use rendering_equation::{Branching, Density, DistributedTracer};
 use workbench::{Counter, FilmSettings, Image, Recorder, Sampler, Unwatched, expose};
 
 use super::scenes::{ahead, hollow};
@@ -65,7 +65,7 @@ impl Price {
 }
 
 /// Width and height of the pictures that are compared.
-pub(crate) const SIZE: [u32; 2] = [24, 24];
+pub(crate) const SIZE: [u32; 2] = [20, 20];
 
 /// The picture that all others tend to, by the way of chapter 7, which has little noise here.
 pub(crate) fn reference(scene: &Scene, depth: u32) -> Image {
@@ -74,7 +74,7 @@ pub(crate) fn reference(scene: &Scene, depth: u32) -> Image {
     let settings = Settings { estimator: Estimator::Mis, heuristic: Heuristic::Power, ending };
     let tracer: LightTracer<'_, _, _, false> =
         LightTracer::new(scene, &[], &tree, &Unwatched, settings);
-    expose(&FilmSettings { size: SIZE, samples: 128, seed: 1, threads: None }, |point, sampler| {
+    expose(&FilmSettings { size: SIZE, samples: 64, seed: 1, threads: None }, |point, sampler| {
         tracer.incident_radiance(scene.camera.ray(point), sampler)
     })
 }
@@ -87,33 +87,39 @@ pub(crate) fn price(
     depth: u32,
     samples: u32,
 ) -> Price {
-    let recorder = Recorder::new();
     let branching = branching(directions, depth, Density::Cosine);
-    let estimate = estimate(scene, branching, &settings(SIZE, samples), &recorder);
-    let paths = f64::from(samples * SIZE[0] * SIZE[1]);
+    let estimate = estimate(scene, branching, &settings(SIZE, samples), &Unwatched);
     let variances = estimate.variance_of_mean.pixels.iter().flatten();
     let ratios = variances.zip(reference.pixels.iter().flatten()).map(|(variance, mean)| {
         let mean = f64::from(*mean);
         f64::from(*variance) * f64::from(samples) / (mean * mean + 0.01)
     });
     Price {
-        rays: 1.0 + recorder.get(Counter::ScatterRays) as f64 / paths,
+        rays: rays_of_sample(scene, branching, samples.min(16)),
         rel_mse: ratios.sum::<f64>() / f64::from(3 * SIZE[0] * SIZE[1]),
     }
 }
 
-/// Samples a pixel for about a million rays, so that all entries are as certain.
+/// Rays of a sample, the camera's included. Counting makes them slow, so there are few.
+fn rays_of_sample(scene: &Scene, branching: Branching, samples: u32) -> f64 {
+    let recorder = Recorder::new();
+    estimate(scene, branching, &settings(SIZE, samples), &recorder);
+    let paths = f64::from(samples * SIZE[0] * SIZE[1]);
+    1.0 + recorder.get(Counter::ScatterRays) as f64 / paths
+}
+
+/// Samples a pixel for somewhat less than a million rays, so that all entries are as certain.
 fn samples(directions: u32, depth: u32) -> u32 {
     match (directions, depth) {
-        (1, 1) => 960,
-        (1, _) => 512,
-        (2, 1 | 2) => 512,
-        (2, 3) => 192,
-        (2, _) => 128,
-        (_, 1) => 384,
-        (_, 2) => 128,
-        (_, 3) => 40,
-        (_, _) => 16,
+        (1, 1) => 640,
+        (1, _) => 384,
+        (2, 1 | 2) => 384,
+        (2, 3) => 144,
+        (2, _) => 96,
+        (_, 1) => 256,
+        (_, 2) => 96,
+        (_, 3) => 32,
+        (_, _) => 12,
     }
 }
 

@@ -84,8 +84,8 @@ pub(super) fn noise() -> Drawing {
     for (name, scene, samples) in [
         ("`furnace`, inside the outline", inside_of_furnace(), 256),
         ("`whitted`", scene("whitted"), 64),
-        ("`cornell-box`", scene("cornell-box"), 256),
-        ("`cornell-spheres`", scene("cornell-spheres"), 256),
+        ("`cornell-box`", scene("cornell-box"), 160),
+        ("`cornell-spheres`", scene("cornell-spheres"), 160),
     ] {
         let film = settings([32, 32], samples);
         let [uniform, cosine] = [Density::Uniform, Density::Cosine].map(|density| {
@@ -94,7 +94,11 @@ pub(super) fn noise() -> Drawing {
         });
         let ratio =
             if cosine > 0.0 { format!("{:.1}", uniform / cosine) } else { "–".to_owned() };
-        let digits = |x: f64| if x == 0.0 { "0".to_owned() } else { format!("{x:.2}") };
+        let digits = |x: f64| match x {
+            0.0 => "0".to_owned(),
+            10.0.. => format!("{x:.0}"),
+            _ => format!("{x:.2}"),
+        };
         table.row([name.to_owned(), digits(uniform), digits(cosine), ratio]);
     }
     table.into()
