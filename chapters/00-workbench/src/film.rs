@@ -2,7 +2,7 @@
 
 use std::collections::TryReserveError;
 
-use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 
 use crate::estimate::LikelyError;
 use crate::pixel_sum::PixelSum;
@@ -129,6 +129,10 @@ impl Film {
     ///
     /// `stop` is asked before each tile; the tiles that follow stay as they are. `done` hears of
     /// the samples of each tile.
+    ///
+    /// Tiles are handed out one at a time. Left to itself, rayon deals them in packs, four or so a
+    /// thread, and a pack that was begun is not divided again: at the end, one thread would work
+    /// through what is left of its pack while the others wait.
     pub(crate) fn expose<R: Into<[f32; 3]>>(
         &mut self,
         seed: u64,
@@ -138,7 +142,7 @@ impl Film {
         done: &(impl Fn(u64) + Sync),
     ) {
         let size = self.size;
-        self.tiles.par_iter_mut().for_each(|tile| {
+        self.tiles.par_iter_mut().with_max_len(1).for_each(|tile| {
             if stop() {
                 return;
             }
@@ -291,7 +295,11 @@ impl Film {
 
 #[cfg(test)]
 mod tests {
-    use super::Film;
+    use std::sync::atomic::{AtomicU64, Ordering};
+    use std::thread;
+    use std::time::{Duration, Instant};
+
+    use super::{Film, TILE};
     use crate::goal::Goal;
     use crate::{FilmPoint, FilmSettings, Image, Sampler, expose};
 
@@ -315,6 +323,33 @@ mod tests {
         let mut film = Film::new(SETTINGS.size).expect("a small film");
         film.expose(SETTINGS.seed, SETTINGS.samples, &noise, &|| false, &|_| ());
         assert_eq!(film.image().hash(), expose(&SETTINGS, noise).hash(), "one pass and many");
+    }
+
+    /// A thread that is busy with one tile keeps none of the others to itself: the rest of the
+    /// picture is finished meanwhile.
+    #[test]
+    fn a_slow_tile_holds_up_no_other() {
+        let tiles = 8 * 8;
+        let mut film = Film::new([8 * TILE, 8 * TILE]).expect("a small film");
+        let done = AtomicU64::new(0);
+        let others = || done.load(Ordering::SeqCst) / u64::from(TILE * TILE);
+        let slow = |point: FilmPoint, _: &mut Sampler| {
+            let deadline = Instant::now() + Duration::from_secs(10);
+            // The first pixel of the first tile: it waits until all other tiles are done.
+            while point.x < 1.0 && point.y < 1.0 && others() < tiles - 1 {
+                assert!(Instant::now() < deadline, "{} of {tiles} tiles were done", others());
+                thread::yield_now();
+            }
+            [0.0; 3]
+        };
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("two threads");
+        pool.install(|| {
+            let add = |samples| {
+                done.fetch_add(samples, Ordering::SeqCst);
+            };
+            film.expose(0, 1, &slow, &|| false, &add);
+        });
+        assert_eq!(others(), tiles, "tiles");
     }
 
     #[test]

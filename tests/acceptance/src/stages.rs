@@ -25,6 +25,10 @@ pub const ESTIMATING: [&str; 3] = ["rendering-equation", "path-tracing", "light-
 /// Cargo builds a test's own package and its libraries, but not the binaries of others. So they are
 /// built here, once a test run, with the profile and into the folder of the running test.
 ///
+/// What is built is chosen as `cargo test` chooses: the members that a plain command means, and a
+/// test among them, so that what only tests ask of the libraries below is asked here, too. After
+/// `cargo test` everything is there already; with other wishes, all stages would be compiled twice.
+///
 /// # Panics
 /// If the stages cannot be built.
 #[must_use]
@@ -44,12 +48,10 @@ fn build() -> PathBuf {
         Some("debug") | None => "dev",
         Some(name) => name,
     };
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut cargo = Command::new(env!("CARGO"));
-    cargo.current_dir(Path::new(env!("CARGO_MANIFEST_DIR")));
-    cargo.args(["build", "--quiet", "--bins", "--profile", profile, "--target-dir"]).arg(target);
-    STAGES.iter().for_each(|stage| {
-        cargo.args(["--package", stage]);
-    });
+    cargo.current_dir(workspace).args(["build", "--quiet", "--bins", "--test", "stages"]);
+    cargo.args(["--profile", profile, "--target-dir"]).arg(target);
     let output = cargo.output().expect("cargo starts");
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "the stages cannot be built: {said}");
