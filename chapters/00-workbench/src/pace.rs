@@ -11,11 +11,13 @@ const SHORTEST: Duration = Duration::from_millis(20);
 /// With a deadline, how many looks at the clock there are.
 const LOOKS: u32 = 50;
 
-/// Divides passes over the picture, so that they end soon after the time is over.
+/// Divides passes over the picture, so that they end soon after the time is over or Ctrl-C is
+/// pressed.
 ///
 /// A pass that doubles the samples takes as long as everything before it. Only whole tiles can be
 /// stopped, and all of one tile's samples are taken at once: undivided, a picture of few tiles
-/// would miss its deadline by far, and hold twice as many samples in some tiles as in others.
+/// would miss its deadline by far, answer Ctrl-C after minutes, and hold twice as many samples in
+/// some tiles as in others.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pace {
     start: Instant,
@@ -24,16 +26,11 @@ pub(crate) struct Pace {
 }
 
 impl Pace {
-    /// The pace of a render that starts now and may take as long as `time`, or, if its end is open,
-    /// as long as it needs. Of other renders, passes are not divided.
-    pub(crate) fn new(time: Option<Duration>, is_open: bool) -> Self {
+    /// The pace of a render that starts now and may take as long as `time`, or as long as it needs.
+    pub(crate) fn new(time: Option<Duration>) -> Self {
         let start = Instant::now();
         let deadline = time.and_then(|time| start.checked_add(time));
-        let longest = match time {
-            Some(time) => (time / LOOKS).clamp(SHORTEST, LONGEST),
-            None if is_open => LONGEST,
-            None => Duration::MAX,
-        };
+        let longest = time.map_or(LONGEST, |time| (time / LOOKS).clamp(SHORTEST, LONGEST));
         Self { start, deadline, longest }
     }
 
@@ -82,14 +79,16 @@ mod tests {
 
     #[test]
     fn a_look_at_the_clock_is_never_far() {
-        let longest = |time| Pace::new(time, true).longest;
+        let longest = |time| Pace::new(time).longest;
         assert_eq!(longest(None), LONGEST, "without a deadline");
         assert_eq!(longest(Some(Duration::from_millis(100))), SHORTEST, "of a tenth of a second");
         assert_eq!(longest(Some(Duration::from_secs(10))), LONGEST / 5, "of ten seconds");
-        assert!(Pace::new(Some(Duration::ZERO), false).is_over(), "no time at all");
-        let unhurried = Pace::new(None, false);
+        assert!(Pace::new(Some(Duration::ZERO)).is_over(), "no time at all");
+        let unhurried = Pace::new(None);
         assert!(!unhurried.is_over(), "time without end");
-        assert_eq!(unhurried.samples(1), u32::MAX, "a pass that is not divided");
         assert_eq!(unhurried.total(1), None, "what there is time for");
+        let slow = Pace { start: unhurried.start - 10 * LONGEST, ..unhurried };
+        let next = slow.samples(50);
+        assert!((1..=5).contains(&next), "{next} samples in a second at five a second");
     }
 }

@@ -1,5 +1,6 @@
 //! Picture files: PNG and EXR, written and read.
 
+use std::error::Error as _;
 use std::ffi::OsStr;
 use std::io;
 use std::path::Path;
@@ -63,10 +64,12 @@ fn float_bytes(image: &Image) -> Vec<u8> {
     image.pixels.as_flattened().iter().flat_map(|value| value.to_ne_bytes()).collect()
 }
 
+/// What went wrong. The EXR encoder calls a full disk an error of decoding; its cause is what
+/// helps.
 fn into_io(error: ImageError) -> io::Error {
     match error {
         ImageError::IoError(error) => error,
-        other => io::Error::other(other),
+        other => io::Error::other(other.source().map_or(other.to_string(), ToString::to_string)),
     }
 }
 

@@ -155,7 +155,10 @@ impl<E: Args> Run<E> {
     ) -> Result<Film, Error> {
         let size = self.options.size.unwrap_or(exposure.size);
         let largest = if self.stage.estimates { LARGEST_ESTIMATE } else { LARGEST_PICTURE };
-        check_size(size, largest).map_err(Error::Memory)?;
+        check_size(size, largest).map_err(match self.options.size {
+            Some(_) => Error::CommandLine,
+            None => Error::Memory,
+        })?;
         let is_open = self.options.time.is_some() || self.options.error.is_some();
         let default = || (!is_open).then(|| exposure.samples.unwrap_or(self.stage.samples));
         self.samples.set(self.options.samples.or_else(default));
@@ -181,7 +184,7 @@ impl<E: Args> Run<E> {
     ) {
         let Options { time, error, pixel, seed, .. } = self.options;
         let goal = Goal { samples: self.samples.get().unwrap_or(u32::MAX), error };
-        let pace = Pace::new(time, error.is_some());
+        let pace = Pace::new(time);
         let hidden = self.options.quiet || pixel.is_some();
         let mut bar = progress::Bar::new(&goal, time.is_some(), film, hidden);
         let stop = || interrupt::stop() || pace.is_over();
@@ -220,7 +223,7 @@ impl<E: Args> Run<E> {
                 let [samples, _] = film.samples();
                 let error = summary::error(film);
                 let sentence = format!("pixel ({x}, {y}): {r} {g} {b}, samples: {samples}{error}");
-                say(self.stdout_is_taken(), &sentence);
+                say(self.stdout_is_taken(), &sentence)?;
             }
             None => image.save(&self.output())?,
         }
@@ -229,7 +232,7 @@ impl<E: Args> Run<E> {
         }
         if self.options.preview && self.options.pixel.is_none() {
             let columns = u32::from(Term::stdout().size().1);
-            say(self.stdout_is_taken(), preview::half_blocks(&image, columns).trim_end());
+            say(self.stdout_is_taken(), preview::half_blocks(&image, columns).trim_end())?;
         }
         let interrupted = interrupt::stop();
         if !self.options.quiet {
@@ -336,16 +339,21 @@ fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
     (result, start.elapsed().as_secs_f64())
 }
 
-/// Prints a line that was asked for. A reader who has gone away needs it no more.
-pub(crate) fn say(to_stderr: bool, line: &str) {
+/// Prints a line that was asked for. A reader who has gone away needs it no more; a full disk is an
+/// error like any other.
+pub(crate) fn say(to_stderr: bool, line: &str) -> Result<(), Error> {
+    let line = format!("{line}\n");
     if to_stderr {
-        write_stderr(&format!("{line}\n"));
-    } else {
-        let _ = writeln!(io::stdout(), "{line}");
+        write_stderr(&line);
+        return Ok(());
+    }
+    match write_stdout(&line) {
+        Err(Error::Write { source, .. }) if source.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        written => written,
     }
 }
 
-/// Writes to standard output; a full disk behind it is an error like any other.
+/// Writes to standard output.
 pub(crate) fn write_stdout(text: &str) -> Result<(), Error> {
     let mut stdout = io::stdout();
     let written = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());

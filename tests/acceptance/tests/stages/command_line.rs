@@ -11,6 +11,7 @@ fn a_wrong_option_is_an_error_2() {
         ("--size 0x3", "at least 1"),
         ("--size 12", "640x480"),
         ("--size 99999x99999", "memory"),
+        ("--size 65536x8192", "memory"),
         ("--samples 0", "1.."),
         ("--depth -1", "-1"),
         ("--threads 0", "from 1 to"),
@@ -94,12 +95,39 @@ fn a_full_disk_is_an_error_1() {
     if !std::path::Path::new("/dev/full").exists() {
         return;
     }
-    std::os::unix::fs::symlink("/dev/full", folder.path("full.png")).expect("the link is made");
+    for name in ["full.png", "full.exr"] {
+        std::os::unix::fs::symlink("/dev/full", folder.path(name)).expect("the link is made");
+    }
+    let check = |stage: &str, option: &str, message: &str| {
+        assert!(message.starts_with("error: "), "{stage} {option}: {message}");
+        assert!(message.contains("could not be written: No space"), "{stage} {option}: {message}");
+    };
     for stage in STAGES {
-        for option in ["-o full.png", "-o a.png --stats /dev/full"] {
-            let message = folder.complaint(stage, &format!("s.toml --quiet {option}"), 1);
-            assert!(message.contains("could not be written"), "{stage} {option}: {message}");
+        for option in ["-o full.png", "-o full.exr", "-o a.png --stats /dev/full"] {
+            check(stage, option, &folder.complaint(stage, &format!("s.toml --quiet {option}"), 1));
+        }
+        for option in ["--stats -", "--preview", "--pixel 1,1"] {
+            let full = std::fs::OpenOptions::new().write(true).open("/dev/full");
+            let mut command = folder.command(stage, &format!("s.toml --quiet {option} -o a.png"));
+            let output = command.stdout(full.expect("the device")).output().expect("it starts");
+            check(stage, option, &String::from_utf8_lossy(&output.stderr));
+            assert_eq!(output.status.code(), Some(1), "{stage} {option}: the status");
         }
     }
     assert!(folder.path("full.png").is_symlink(), "the device is not replaced");
+}
+
+/// Who pipes the story of a path into `head` has seen enough of it.
+#[cfg(unix)]
+#[test]
+fn a_reader_who_goes_away_is_no_error() {
+    let folder = Folder::with(&[("s.toml", &scene(BALL))]);
+    for stage in STAGES {
+        let (reader, writer) = std::io::pipe().expect("a pipe");
+        drop(reader);
+        let mut command = folder.command(stage, "s.toml --quiet --pixel 1,1");
+        let output = command.stdout(writer).output().expect("the stage starts");
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!((output.status.code(), &*message), (Some(0), ""), "{stage}");
+    }
 }
