@@ -1,7 +1,9 @@
 //! Citations: a key in brackets, like `[Whitted80]`, becomes a link into the page of references.
 //!
 //! The keys are the `id`s of `references.md`. A key that stands in a page but not in that list
-//! fails the build, so a reader never looks for a source in vain.
+//! fails the build, so a reader never looks for a source in vain. That holds for the comments in
+//! listings, too. There a key is written `\[Whitted80]`, because a documentation comment takes
+//! brackets for a link to code; the listing shows it without the backslash.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -9,7 +11,7 @@ use std::fs;
 use mdbook_preprocessor::book::Book;
 use mdbook_preprocessor::errors::Error;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
-use pulldown_cmark::{BrokenLink, CowStr, Event, LinkType, Parser, Tag};
+use pulldown_cmark::{BrokenLink, CowStr, Event, LinkType, Parser, Tag, TagEnd};
 
 use crate::formulas::markdown_options;
 use crate::html::Page;
@@ -84,20 +86,52 @@ pub fn link(
     let mut page = String::with_capacity(markdown.len());
     let mut copied = 0;
     let mut unknown = Vec::new();
+    let mut is_listing = false;
     for (event, range) in parser.into_offset_iter() {
-        let Event::Start(Tag::Link { link_type: LinkType::ShortcutUnknown, id, .. }) = event else {
-            continue;
+        let replacement = match event {
+            Event::Start(Tag::CodeBlock(_)) => {
+                is_listing = true;
+                continue;
+            }
+            Event::End(TagEnd::CodeBlock) => {
+                is_listing = false;
+                continue;
+            }
+            Event::Text(_) if is_listing => plain(&markdown[range.clone()], keys, &mut unknown),
+            Event::Start(Tag::Link { link_type: LinkType::ShortcutUnknown, id, .. }) => {
+                if !keys.contains(id.as_ref()) {
+                    unknown.push(id.into_string());
+                    continue;
+                }
+                format!("\\[[{id}]({up}{REFERENCES}#{id})\\]")
+            }
+            _ => continue,
         };
-        if !keys.contains(id.as_ref()) {
-            unknown.push(id.into_string());
-            continue;
-        }
         page.push_str(&markdown[copied..range.start]);
-        page.push_str(&format!("\\[[{id}]({up}{REFERENCES}#{id})\\]"));
+        page.push_str(&replacement);
         copied = range.end;
     }
     page.push_str(&markdown[copied..]);
     if unknown.is_empty() { Ok(page) } else { Err(unknown) }
+}
+
+/// The lines of a listing with keys as a reader expects them, without the backslash.
+fn plain(listing: &str, keys: &BTreeSet<String>, unknown: &mut Vec<String>) -> String {
+    let mut parts = listing.split("\\[");
+    let mut text = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        match part.split_once(']').map(|(key, _)| key).filter(|key| looks_like_key(key)) {
+            Some(key) => {
+                if !keys.contains(key) {
+                    unknown.push(key.to_owned());
+                }
+                text.push('[');
+            }
+            None => text.push_str("\\["),
+        }
+        text.push_str(part);
+    }
+    text
 }
 
 /// A name and a year or an edition: a capital letter first, a digit last, letters and digits only.
@@ -129,5 +163,14 @@ mod tests {
     fn code_links_and_other_brackets_stay_as_they_are() {
         let page = "`[PBR4]`, [PBR4](x.md), [0, 1), [x], [W]\n\n```text\n[PBR4]\n```\n";
         assert_eq!(link(page, &keys(""), "").as_deref(), Ok(page), "untouched");
+    }
+    #[test]
+    fn a_key_in_a_listing_loses_its_backslash_and_must_be_known() {
+        let keys = keys("<b id=\"PBR4\">[PBR4]</b>");
+        let page = "```rust\n/// \\[PBR4] §3.9\nlet a = \"\\[x]\";\n```\n";
+        let shown = page.replace("\\[PBR4]", "[PBR4]");
+        assert_eq!(link(page, &keys, "").as_deref(), Ok(&*shown), "the listing");
+        let unknown = link("```rust\n/// \\[Nobody99]\n```\n", &keys, "");
+        assert_eq!(unknown, Err(vec!["Nobody99".to_owned()]), "a key without a source");
     }
 }

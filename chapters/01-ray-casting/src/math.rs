@@ -85,7 +85,7 @@ pub fn log2_f64(x: f64) -> f64 {
 /// u, half the distance from 1 to the next `f32`: no rounding changes a result by a larger share.
 pub const UNIT_ROUNDOFF: f32 = f32::EPSILON / 2.0;
 
-/// γ(n) = n u / (1 − n u): bounds the relative error of n roundings in a row. [Higham02] §3.1.
+/// γ(n) = n u / (1 − n u): bounds the relative error of n roundings in a row. \[Higham02] §3.1.
 #[inline]
 #[must_use]
 pub const fn gamma(n: u32) -> f32 {

@@ -1,4 +1,4 @@
-//! The ray-triangle test of Möller and Trumbore, the review's [11], kept to be compared.
+//! The ray-triangle test of Möller and Trumbore, the review's \[11], kept to be compared.
 //!
 //! It computes the two weights of the hit from the triangle's own edges. Each triangle rounds in
 //! its own way, so of two neighbours each may deny a ray that passes through their common edge: a
@@ -15,7 +15,7 @@ use crate::ray::Ray;
 ///
 /// Cramer's rule for **o** + t **d** = (1 − u − v) **v**₀ + u **v**₁ + v **v**₂, with
 /// **e**₁ = **v**₁ − **v**₀, **e**₂ = **v**₂ − **v**₀ and **s** = **o** − **v**₀
-/// [MollerTrumbore97]:
+/// \[MollerTrumbore97]:
 ///
 /// ```text
 /// p = d × e₂,  q = s × e₁,  det = e₁·p,   u = s·p / det,  v = d·q / det,  t = e₂·q / det

@@ -128,7 +128,7 @@ fn triangle_point(corners: [Vec3; 3], barycentric: Vec2) -> (DVec3, DVec3, DVec3
 /// A point of a sphere, the size of the numbers that went into it, and the unit normal.
 ///
 /// **o** + t **d** is wrong by the rounding of t, far more than by its own: it is pulled back onto
-/// the sphere, [PBR4] §6.8.5.
+/// the sphere, \[PBR4] §6.8.5.
 fn sphere_point(sphere: &Sphere, ray: &Ray, t: f32) -> (DVec3, DVec3, DVec3) {
     let (center, radius) = (sphere.center.as_dvec3(), f64::from(sphere.radius));
     let reached = ray.origin.as_dvec3() + f64::from(t) * ray.direction.as_dvec3();

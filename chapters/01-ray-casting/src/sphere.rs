@@ -25,7 +25,7 @@ impl Sphere {
     ///
     /// The school formula t = (b ± √(b² − a c)) / a loses digits twice: in b² − a c when the sphere
     /// is small or far away, and in b − √… when c is small beside b². Both are avoided
-    /// [Haines19]: **l** = **f** + (b/a) **d** reaches from the centre to the ray, so
+    /// \[Haines19]: **l** = **f** + (b/a) **d** reaches from the centre to the ray, so
     ///
     /// ```text
     /// b² − a c = a (r² − l·l),    q = b + sign(b) √(a (r² − l·l)),    t = c/q  or  t = q/a

@@ -1,7 +1,7 @@
 //! The reflection model: what a surface sends to the viewer of the light that a point source sends
 //! it.
 //!
-//! The model is Blinn's [Blinn77], the equations and their letters are the review's 1 and 2.
+//! The model is Blinn's \[Blinn77], the equations and their letters are the review's 1 and 2.
 
 use glam::Vec3;
 use ray_casting::{PointLight, Rgb, math};

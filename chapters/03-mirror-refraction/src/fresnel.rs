@@ -73,7 +73,7 @@ pub fn refract(wo: Vec3, normal: Vec3, eta: f32) -> Option<Refracted> {
 /// F = (r_s² + r_p²) / 2
 /// ```
 ///
-/// Exact for two transparent media [PBR4] §9.3.5. The rest, 1 − F, is refracted. Both cosines are
+/// Exact for two transparent media \[PBR4] §9.3.5. The rest, 1 − F, is refracted. Both cosines are
 /// of unit vectors and at least 0, and not both 0.
 #[inline]
 #[must_use]
@@ -85,7 +85,7 @@ pub fn fresnel(cos_theta_i: f32, cos_theta_t: f32, eta: f32) -> f32 {
 // ANCHOR_END: fresnel
 
 // ANCHOR: schlick
-/// Schlick's approximation of [`fresnel`] [Schlick94].
+/// Schlick's approximation of [`fresnel`] \[Schlick94].
 ///
 /// ```text
 /// F ≈ F₀ + (1 − F₀) (1 − cos θ)⁵,   F₀ = ((η − 1) / (η + 1))²

@@ -7,7 +7,7 @@ use workbench::{MaterialRecord, SurfaceKind};
 /// The review's three kinds of surface.
 ///
 /// In Whitted's own model one surface can be all three at once, each with its own coefficient
-/// [Whitted80]; the review makes them exclude each other (errata 13), and so does the scene file.
+/// \[Whitted80]; the review makes them exclude each other (errata 13), and so does the scene file.
 #[derive(Clone, Copy, Debug)]
 pub enum Surface {
     /// Reflects the lights, as in chapter 2. The recursion ends here.

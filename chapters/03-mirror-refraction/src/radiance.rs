@@ -121,7 +121,7 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
     /// L of a reflected or refracted ray; black where it is not worth following.
     ///
     /// Two facing mirrors never end, so the scattering events are limited. Long before that, most
-    /// branches have a weight that no pixel shows: adaptive depth control [HallGreenberg83].
+    /// branches have a weight that no pixel shows: adaptive depth control \[HallGreenberg83].
     fn follow(&self, kind: Counter, ray: Ray, path: Path) -> Rgb {
         let weight = path.throughput;
         if !self.limits.allow_weight(weight.max_element()) {

@@ -27,7 +27,7 @@ pub enum Density {
 /// ```
 ///
 /// A uniform point of the unit disk is lifted onto the hemisphere. Seen from above, a patch dω
-/// covers cos θ dω of the disk, hence the cosine. Malley's method, [PBR4] §A.5. Since u₀ is at most
+/// covers cos θ dω of the disk, hence the cosine. Malley's method, \[PBR4] §A.5. Since u₀ is at most
 /// 1 − 2⁻²⁴, cos θ is at least 2⁻¹²: no direction lies in the plane. Density:
 /// [`cosine_hemisphere_pdf`].
 #[inline]

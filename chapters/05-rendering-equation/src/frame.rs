@@ -23,7 +23,7 @@ impl Frame {
     /// ```
     ///
     /// The sign keeps s + n_z away from 0, so no direction is singular: the version without it loses
-    /// all digits as **n** nears −z. Departs from nothing in [Duff17].
+    /// all digits as **n** nears −z. Departs from nothing in \[Duff17].
     #[inline]
     #[must_use]
     pub fn around(normal: Vec3) -> Self {

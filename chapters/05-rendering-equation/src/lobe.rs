@@ -18,7 +18,7 @@ use crate::frame::Frame;
 /// C makes C ∫ (n·h)ᵖ cos θᵢ dωᵢ one for a viewer straight above; seen from anywhere else it is
 /// less, so k_s is the largest share of the light that is reflected, and with k_d + k_s ≤ 1 no
 /// surface gives more than it gets. Swapping ωₒ and ωᵢ changes nothing:
-/// the lobe is reciprocal. Its source is [Blinn77]; (p + 8)/(8π), which is common, is C for large p.
+/// the lobe is reciprocal. Its source is \[Blinn77]; (p + 8)/(8π), which is common, is C for large p.
 #[derive(Clone, Copy, Debug)]
 pub struct Lobe {
     /// k_s: reflectance at normal incidence, 0 to 1.

@@ -15,7 +15,7 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// Takes one more value of f(X)/p(X) into account, without losing digits [Welford62].
+    /// Takes one more value of f(X)/p(X) into account, without losing digits \[Welford62].
     pub fn add(&mut self, value: f64) {
         self.samples += 1;
         let before = value - self.mean;

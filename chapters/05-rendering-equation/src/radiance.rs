@@ -60,7 +60,7 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> DistributedTracer<'a, G, P, 
     ///        ≈ Lₑ(ωₒ) + 1/N Σₖ f(ωₒ, ωₖ) Lᵢ(ωₖ) |cos θₖ| / p(ωₖ)
     /// ```
     ///
-    /// The rendering equation [Kajiya86] in its radiance form, and equation 6 with the factors that
+    /// The rendering equation \[Kajiya86] in its radiance form, and equation 6 with the factors that
     /// the review's first listing lacks (errata 15). A lamp both shines and reflects (errata 21). A
     /// mirror or a boundary of glass has one way to go, or two of which chance chooses one: N rays
     /// into the same direction would tell nothing new.

@@ -48,7 +48,7 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> PathTracer<'a, G, P, GLASS> 
     /// Lᵢ ≈ Σₖ βₖ Lₑ(xₖ),   β₀ = 1,   βₖ₊₁ = βₖ · f(ωₒ, ωᵢ) |cos θᵢ| / p(ωᵢ)
     /// ```
     ///
-    /// The rendering equation [Kajiya86] with N = 1 at every hit, unrolled into a loop: the
+    /// The rendering equation \[Kajiya86] with N = 1 at every hit, unrolled into a loop: the
     /// review's second listing with the factors that it lacks (errata 16), and with lamps that
     /// reflect (errata 21).
     pub fn incident_radiance(&self, mut ray: Ray, sampler: &mut Sampler) -> Rgb {

@@ -21,7 +21,7 @@ pub struct Ending {
 /// ```
 ///
 /// Right on average for any q > 0, so q is free to be small where little is to be gained
-/// [ArvoKirk90].
+/// \[ArvoKirk90].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Roulette {
     /// No game: only the depth ends paths.
