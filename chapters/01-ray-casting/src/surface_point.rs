@@ -99,7 +99,7 @@ impl SurfacePoint {
 /// ```
 ///
 /// The exact point lies in the box **p** ± **e**, and no corner of that box is farther from **p**
-/// along **n** than Σ |nᵢ| eᵢ \[PBR4\] §6.8.6. Adding δ **n** rounds once more, by at most u |pᵢ| for
+/// along **n** than Σ |nᵢ| eᵢ \[PBR4] §6.8.6. Adding δ **n** rounds once more, by at most u |pᵢ| for
 /// each component: that is moved away from as well. The last factor covers the roundings of δ itself.
 /// No constant is involved: the step is a few units in the last place of **p**, at every scale.
 /// [`offset_by_epsilon`] is what it replaces.

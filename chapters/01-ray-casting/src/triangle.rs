@@ -1,6 +1,6 @@
 //! Triangles without gaps between them.
 //!
-//! The test is that of Woop, Benthin and Wald [Woop13]. The vertices are moved into a frame in
+//! The test is that of Woop, Benthin and Wald \[Woop13]. The vertices are moved into a frame in
 //! which the ray is the z axis; the ray then hits the triangle when the origin of the xy plane lies
 //! on the same side of all three edges. What an edge says depends on its two end points alone, so
 //! two triangles that share an edge can never both deny a ray that passes through it: a closed mesh

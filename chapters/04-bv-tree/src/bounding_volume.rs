@@ -12,7 +12,7 @@ use crate::slab::smaller;
 /// Every volume of this chapter is an intersection of *slabs*, the spaces between two parallel
 /// planes n·p = lo and n·p = hi. A ray is inside a slab for an [`Interval`] of t, and inside the
 /// volume where all of its intervals overlap. An AABB has three slabs along the axes, an OBB three
-/// along directions of its own, a k-DOP k/2 along fixed directions [KayKajiya86].
+/// along directions of its own, a k-DOP k/2 along fixed directions \[KayKajiya86].
 pub trait BoundingVolume: Copy + Send + Sync + 'static {
     /// A ray as this volume wants it: whatever can be computed once a ray instead of once a test.
     type Query: Copy;

@@ -46,7 +46,7 @@ fn extreme_edges([a, b, c]: [DVec3; 3]) -> [DVec3; 2] {
     [edges[2], edges[0]]
 }
 
-/// The eigenvectors of the corners' covariance matrix [Gottschalk96].
+/// The eigenvectors of the corners' covariance matrix \[Gottschalk96].
 fn principal_axes(items: &[Item], geometry: &Geometry) -> [Vec3; 3] {
     let points = || items.iter().flat_map(|item| corners(item, geometry));
     let count = points().count() as f64;
@@ -75,7 +75,7 @@ fn frame(first: DVec3, second: DVec3) -> [Vec3; 3] {
     [first, third.cross(first), third].map(|axis| axis.as_vec3())
 }
 
-/// The eigenvectors of a symmetric matrix, as columns: cyclic Jacobi rotations [GolubVanLoan13]
+/// The eigenvectors of a symmetric matrix, as columns: cyclic Jacobi rotations \[GolubVanLoan13]
 /// §8.5.
 ///
 /// Each rotation by φ, with tan 2φ = 2 a_pq / (a_qq − a_pp), makes one pair of off-diagonal

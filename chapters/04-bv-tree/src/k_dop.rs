@@ -10,7 +10,7 @@ use crate::bounding_volume::{BoundingVolume, FourIntervals, PADDING};
 use crate::item::{Item, extent_along};
 use crate::slab::{SlabQuery, overlap};
 
-/// A polytope with k = 2 `N` faces in fixed directions [Klosowski98]: k = 6, 14, 18 or 26.
+/// A polytope with k = 2 `N` faces in fixed directions \[Klosowski98]: k = 6, 14, 18 or 26.
 ///
 /// The directions need not have unit length: a slab is the same whatever the scale of its normal.
 #[derive(Clone, Copy, Debug)]

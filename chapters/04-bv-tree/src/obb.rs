@@ -10,7 +10,7 @@ use crate::frames;
 use crate::item::{Item, extent_along};
 use crate::slab::{SlabQuery, overlap};
 
-/// A box with axes of its own [Gottschalk96].
+/// A box with axes of its own \[Gottschalk96].
 #[derive(Clone, Copy, Debug)]
 pub struct Obb {
     /// Somewhere inside, in scene units. Slabs are measured from here.

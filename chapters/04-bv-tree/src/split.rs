@@ -102,7 +102,7 @@ type Bins = [[Bin; BINS]; 3];
 const NO_BINS: Bins = [[Bin { bounds: Aabb::EMPTY, count: 0 }; BINS]; 3];
 
 // ANCHOR: split_by_area
-/// The surface area heuristic [GoldsmithSalmon87], over bins [Wald07].
+/// The surface area heuristic \[GoldsmithSalmon87], over bins \[Wald07].
 ///
 /// A line that meets a convex body of area A meets a convex part of area a with probability a / A.
 /// A ray that has entered the whole therefore pays on average, in units of one node's box tests,
