@@ -2,10 +2,12 @@
 
 mod builders;
 mod diagrams;
+pub(crate) mod fours;
 mod growth;
 mod heat;
 pub(crate) mod naive;
 mod order;
+pub(crate) mod plain;
 mod probability;
 mod rounding;
 mod savings;
@@ -30,6 +32,7 @@ pub(super) const FIGURES: &[Figure] = &[
     Figure { file: "04-bv-tree/heat.png", draw: heat::maps },
     Figure { file: "04-bv-tree/heat-numbers.md", draw: heat::numbers },
     Figure { file: "04-bv-tree/order.md", draw: order::table },
+    Figure { file: "04-bv-tree/fours.md", draw: fours::table },
     Figure { file: "04-bv-tree/builders.md", draw: builders::table },
     Figure { file: "04-bv-tree/growth.md", draw: growth::table },
     Figure { file: "04-bv-tree/growth.svg", draw: growth::plot },

@@ -9,7 +9,9 @@ use workbench::Unwatched;
 
 use super::Measurement;
 use crate::figures::Drawing;
+use crate::figures::bv_tree::fours::{SingleBox, workloads};
 use crate::figures::bv_tree::naive::UnpaddedBox;
+use crate::figures::bv_tree::plain::PlainTree;
 use crate::figures::bv_tree::workload::{
     AABB, Workload, blob, comparison, scene, stopwatch, terrain,
 };
@@ -17,6 +19,7 @@ use crate::table::{Table, count};
 
 pub(super) const MEASUREMENTS: &[Measurement] = &[
     Measurement { file: "04-bv-tree/linear.md", take: linear },
+    Measurement { file: "04-bv-tree/fours.md", take: fours },
     Measurement { file: "04-bv-tree/volumes.md", take: volumes },
     Measurement { file: "04-bv-tree/build.md", take: build },
     Measurement { file: "04-bv-tree/growth.md", take: growth },
@@ -70,6 +73,30 @@ fn relative(name: &str, seconds: &[f64]) -> Vec<String> {
     [name.to_owned()].into_iter().chain(ratios).collect()
 }
 
+/// The time to ask all rays of a scene, relative to the tree of the chapter. All three trees halve
+/// by count and so have the same leaves.
+fn fours() -> Drawing {
+    let mut table = Table::new(&[
+        "scene",
+        "four children, four at a time",
+        "four children, boxes one at a time",
+        "two children, all one at a time",
+    ]);
+    for workload in workloads(240) {
+        let geometry = &workload.geometry;
+        let four = BvTree::<Aabb, _>::build(geometry, Builder::Median, &Unwatched);
+        let single = BvTree::<SingleBox<false>, _>::build(geometry, Builder::Median, &Unwatched);
+        let plain = PlainTree::build(geometry, &Unwatched);
+        let seconds = alternating(&[
+            Box::new(|| workload.ask(&four)),
+            Box::new(|| workload.ask(&single)),
+            Box::new(|| workload.ask(&plain)),
+        ]);
+        table.row(relative(workload.name, &seconds));
+    }
+    table.into()
+}
+
 /// The time to ask all rays of a scene, relative to AABB.
 fn volumes() -> Drawing {
     let mut table = Table::new(&[
@@ -80,7 +107,8 @@ fn volumes() -> Drawing {
         "14-DOP",
         "18-DOP",
         "26-DOP",
-        "AABB without padding",
+        "AABB, one at a time",
+        "the same without padding",
     ]);
     for workload in comparison(240) {
         let seconds = alternating(&[
@@ -90,6 +118,7 @@ fn volumes() -> Drawing {
             Box::new(stopwatch::<KDop<7>>(&workload)),
             Box::new(stopwatch::<KDop<9>>(&workload)),
             Box::new(stopwatch::<KDop<13>>(&workload)),
+            Box::new(stopwatch::<SingleBox<false>>(&workload)),
             Box::new(stopwatch::<UnpaddedBox>(&workload)),
         ]);
         table.row(relative(workload.name, &seconds));

@@ -105,25 +105,25 @@ pub(super) fn volumes() -> Drawing {
     d.finish()
 }
 
-/// Boxes in boxes, and the tree that they are.
+/// Boxes in boxes, the binary tree that they are, and the same with four children.
 pub(super) fn tree() -> Drawing {
     let mut d = Diagram::new(
-        292,
-        "On the left triangles in boxes within boxes, crossed by a ray. On the right the tree of \
-         these boxes: the ray enters A, C and F; what is below B, and E, is skipped.",
+        352,
+        "On the left triangles in boxes within boxes, crossed by a ray that enters B and in it F. \
+         On the right two trees of these boxes. In the first, A and B are below the root, C and D \
+         below A, E and F below B. In the second, C, D, E and F are below the root. The ways from \
+         the root to F are marked.",
     );
     let leaves = [
-        ("D", [34.0, 40.0], [90.0, 70.0]),
-        ("E", [220.0, 34.0], [92.0, 80.0]),
-        ("F", [196.0, 160.0], [110.0, 84.0]),
-        ("G", [52.0, 140.0], [82.0, 96.0]),
+        ("C", [34.0, 60.0], [90.0, 70.0]),
+        ("D", [52.0, 160.0], [82.0, 96.0]),
+        ("E", [220.0, 54.0], [92.0, 80.0]),
+        ("F", [196.0, 180.0], [110.0, 84.0]),
     ];
-    d.boxed(0, 0.04, [20.0, 14.0], [310.0, 252.0]);
-    d.text(0, "start", [26.0, 260.0], "A");
-    d.boxed(1, 0.06, [28.0, 24.0], [114.0, 220.0]);
-    d.text(1, "start", [32.0, 238.0], "B");
-    d.boxed(2, 0.06, [186.0, 24.0], [136.0, 228.0]);
-    d.text(2, "end", [318.0, 148.0], "C");
+    d.boxed(1, 0.06, [28.0, 44.0], [114.0, 220.0]);
+    d.text(1, "start", [32.0, 258.0], "A");
+    d.boxed(2, 0.06, [186.0, 44.0], [136.0, 228.0]);
+    d.text(2, "end", [318.0, 168.0], "B");
     for (name, [x, y], [w, h]) in leaves {
         d.boxed(3, 0.06, [x, y], [w, h]);
         d.text(3, "start", [x + 4.0, y + 16.0], name);
@@ -131,28 +131,38 @@ pub(super) fn tree() -> Drawing {
         d.polygon(0, 0.35, &[corner(0.0, 0.9), corner(0.5, 0.0), corner(0.6, 0.7)]);
         d.polygon(0, 0.35, &[corner(0.55, 1.0), corner(0.75, 0.2), corner(1.0, 0.8)]);
     }
-    d.arrow(4, vec2(160.0, 286.0), vec2(318.0, 168.0));
-    d.text(4, "end", [154.0, 288.0], "ray");
+    d.arrow(4, vec2(160.0, 306.0), vec2(318.0, 188.0));
+    d.text(4, "end", [154.0, 308.0], "ray");
 
-    let nodes = [
-        (4, "A", vec2(510.0, 50.0)),
-        (0, "B", vec2(440.0, 130.0)),
-        (4, "C", vec2(580.0, 130.0)),
-        (0, "D", vec2(405.0, 210.0)),
-        (0, "G", vec2(475.0, 210.0)),
-        (0, "E", vec2(545.0, 210.0)),
-        (4, "F", vec2(615.0, 210.0)),
+    // Names, places and parents; series 4 is the way of the ray.
+    let binary = [
+        (4, "", vec2(510.0, 34.0), 0),
+        (0, "A", vec2(440.0, 96.0), 0),
+        (4, "B", vec2(580.0, 96.0), 0),
+        (0, "C", vec2(405.0, 158.0), 1),
+        (0, "D", vec2(475.0, 158.0), 1),
+        (0, "E", vec2(545.0, 158.0), 2),
+        (4, "F", vec2(615.0, 158.0), 2),
     ];
-    for (i, (series, name, p)) in nodes.into_iter().enumerate() {
-        if i > 0 {
-            let parent = nodes[(i - 1) / 2].2;
-            let [from, to] = [parent + vec2(0.0, 16.0), p - vec2(0.0, 16.0)];
-            let dashes = if series == 4 { "none" } else { "4 4" };
-            d.path(series, 1.5, dashes, &format!("M{} {}L{} {}", from.x, from.y, to.x, to.y));
+    let four = [
+        (4, "", vec2(510.0, 244.0), 0),
+        (0, "C", vec2(405.0, 306.0), 0),
+        (0, "D", vec2(475.0, 306.0), 0),
+        (0, "E", vec2(545.0, 306.0), 0),
+        (4, "F", vec2(615.0, 306.0), 0),
+    ];
+    for nodes in [&binary[..], &four[..]] {
+        for &(series, name, p, parent) in nodes {
+            if p != nodes[parent].2 {
+                let [from, to] = [nodes[parent].2 + vec2(0.0, 14.0), p - vec2(0.0, 14.0)];
+                let dashes = if series == 4 { "none" } else { "4 4" };
+                d.path(series, 1.5, dashes, &format!("M{} {}L{} {}", from.x, from.y, to.x, to.y));
+            }
+            d.boxed(series, 0.08, [p.x - 20.0, p.y - 14.0], [40.0, 28.0]);
+            d.text(series, "middle", [p.x, p.y + 5.0], name);
         }
-        d.boxed(series, 0.08, [p.x - 20.0, p.y - 16.0], [40.0, 32.0]);
-        d.text(series, "middle", [p.x, p.y + 5.0], name);
     }
-    d.text(0, "middle", [510.0, 262.0], "two triangles in each leaf");
+    d.text(0, "middle", [510.0, 196.0], "two children a node");
+    d.text(0, "middle", [510.0, 344.0], "four children a node");
     d.finish()
 }

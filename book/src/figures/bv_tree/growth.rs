@@ -47,6 +47,7 @@ pub(super) fn table() -> Drawing {
         "triangles a ray",
         "depth",
         "nodes a triangle",
+        "leaves a triangle",
         "bytes a triangle",
     ]);
     for growth in growths() {
@@ -59,7 +60,8 @@ pub(super) fn table() -> Drawing {
                 format!("{:.1}", cost.volume),
                 format!("{:.2}", cost.primitive),
                 shape.depth.to_string(),
-                format!("{:.2}", (shape.inner_nodes + shape.leaves) as f64 / n),
+                format!("{:.2}", shape.inner_nodes as f64 / n),
+                format!("{:.2}", shape.leaves as f64 / n),
                 format!("{:.0}", shape.bytes as f64 / n),
             ]);
         }
