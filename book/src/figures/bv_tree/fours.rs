@@ -73,10 +73,10 @@ pub(super) fn table() -> Drawing {
     const COUNTED: Volume = volume::<SingleBox<true>>("", 3);
     let mut table = Table::new(&[
         "scene",
-        "two children: nodes",
+        "two: nodes",
         "boxes",
         "primitives",
-        "four children: nodes",
+        "four: nodes",
         "boxes",
         "primitives",
     ]);

@@ -38,7 +38,7 @@ fn growth(name: &'static str, make: fn(u32) -> Scene, parameters: &[u32]) -> Gro
     Growth { name, sizes: parameters.iter().map(size).collect() }
 }
 
-/// One row for each power of ten.
+/// One row for each power of ten; nodes, leaves and bytes for each triangle.
 pub(super) fn table() -> Drawing {
     let mut table = Table::new(&[
         "mesh",
@@ -46,9 +46,9 @@ pub(super) fn table() -> Drawing {
         "boxes a ray",
         "triangles a ray",
         "depth",
-        "nodes a triangle",
-        "leaves a triangle",
-        "bytes a triangle",
+        "nodes",
+        "leaves",
+        "bytes",
     ]);
     for growth in growths() {
         for Size { triangles, cost } in growth.sizes.iter().step_by(2) {

@@ -20,7 +20,7 @@ pub(crate) struct PlainTree<'a, P> {
 /// A few primitives, or two parts with a box around each.
 enum Part {
     Leaf(Vec<u32>),
-    Node(Box<[(Aabb, Part); 2]>),
+    Node(Box<[(Aabb, Self); 2]>),
 }
 // ANCHOR_END: part
 
@@ -43,7 +43,7 @@ impl<'a, P: Probe> PlainTree<'a, P> {
     }
 
     // ANCHOR: search
-    /// Looks for a nearer hit in `part`, whose box the ray enters.
+    /// Looks for a nearer hit in `part`, which the ray may meet.
     fn search(
         &self,
         part: &Part,
