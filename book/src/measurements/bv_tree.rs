@@ -107,8 +107,8 @@ fn volumes() -> Drawing {
         "14-DOP",
         "18-DOP",
         "26-DOP",
-        "AABB, one at a time",
-        "the same without padding",
+        "AABB singly",
+        "unpadded",
     ]);
     for workload in comparison(240) {
         let seconds = alternating(&[
