@@ -213,7 +213,7 @@ fn size(sheared: &[[f32; 3]; 3]) -> f32 {
 ///   the surface, and does not meet it.
 /// - A hit that rounding has put behind the near end of the extent is put back: as near as a hit can
 ///   be. Otherwise a ray that starts in the corner of a room, next to one wall, would leave through it.
-#[inline(never)]
+#[inline(never)] // hardly ever called: it would only be in the way of the loop over triangles
 fn settle(ray: &Ray, vertices: [Vec3; 3], t: f32) -> Option<f32> {
     let Ray { origin, direction, extent } = *ray;
     let [v0, v1, v2] = vertices.map(|v| v.as_dvec3());
