@@ -1,13 +1,7 @@
 //! How wrong a picture is likely to be, told from its own samples.
 
 use crate::Image;
-
-/// How many standard errors the stated error lies above the likely one.
-///
-/// The error of a single pixel, over its variance, has a χ² distribution with one degree of
-/// freedom, and (1 + 2 √2) is its 95th percentile. The sum over many pixels tends to a normal
-/// distribution, for which 2 standard errors hold in 97.7 % of all cases.
-const STANDARD_ERRORS: f64 = 2.0;
+use crate::spread::STANDARD_ERRORS;
 
 /// An estimate of the relMSE of a picture, and how far it may be off.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,27 +14,32 @@ pub(crate) struct LikelyError {
 
 impl LikelyError {
     // ANCHOR: likely-error
-    /// The likely error of a picture with these relative variances `v`, one a pixel.
+    /// The likely error of a picture whose pixels have these relative variances: `v` with the
+    /// brightness that was found, `w` with the least that is believable.
     ///
     /// ```text
-    /// relMSE = (1/N) Σ v,   margin = 2 · √(2 Σ v²) / N
+    /// relMSE = (1/N) Σ v,   relMSE + margin = (1/N) [Σ w + 2 √(2 Σ w²)]
     /// ```
     ///
     /// The true error of a pixel is the square of a mean of deviations, dᵢ dⱼ summed over all pairs
-    /// of samples. v estimates the pairs with i = j. What it cannot know are the others: their mean
-    /// is zero and their variance 2 v², however far the samples stray. They are independent from
-    /// pixel to pixel, hence the root of the sum of squares; channels that vary together vary at
-    /// most as one.
-    pub(crate) fn of(variances: impl Iterator<Item = f64>) -> Option<Self> {
+    /// of samples. v and w estimate the pairs with i = j. What they cannot know are the others: their
+    /// mean is zero and their variance 2 w², however far the samples stray. They are independent
+    /// from pixel to pixel, hence the root of the sum of squares; channels that vary together vary
+    /// at most as one. Of a single pixel, 1 + 2 √2 times w is the 95th percentile of χ² with one
+    /// degree of freedom; the sum over many pixels tends to a normal distribution, for which two
+    /// standard errors hold in 97.7 % of all cases.
+    pub(crate) fn of(variances: impl Iterator<Item = [f64; 2]>) -> Option<Self> {
         let mut pixels = 0.0;
-        let [mut sum, mut squares] = [0.0, 0.0];
-        for v in variances {
+        let [mut likely, mut cautious, mut squares] = [0.0; 3];
+        for [v, w] in variances {
             pixels += 1.0;
-            sum += v;
-            squares += v * v;
+            likely += v;
+            cautious += w;
+            squares += w * w;
         }
-        let margin = STANDARD_ERRORS * f64::sqrt(2.0 * squares) / pixels;
-        (pixels > 0.0).then_some(Self { rel_mse: sum / pixels, margin })
+        let largest = cautious + STANDARD_ERRORS * f64::sqrt(2.0 * squares);
+        let rel_mse = likely / pixels;
+        (pixels > 0.0).then_some(Self { rel_mse, margin: largest / pixels - rel_mse })
     }
     // ANCHOR_END: likely-error
 
@@ -93,7 +92,7 @@ mod tests {
 
     #[test]
     fn the_bound_of_one_pixel_is_the_95th_percentile_of_chi_square() {
-        let error = LikelyError::of([0.25].into_iter()).expect("one pixel");
+        let error = LikelyError::of([[0.25; 2]].into_iter()).expect("one pixel");
         assert_eq!(error.rel_mse, 0.25, "the relMSE");
         let ratio = error.bound() * error.bound() / 0.25;
         assert!((ratio - 3.8415).abs() < 0.02, "the bound is {ratio} times the variance");
@@ -101,16 +100,25 @@ mod tests {
 
     #[test]
     fn the_margin_shrinks_with_the_number_of_pixels() {
-        let of = |pixels| LikelyError::of((0..pixels).map(|_| 1.0)).expect("a picture");
+        let of = |pixels| LikelyError::of((0..pixels).map(|_| [1.0; 2])).expect("a picture");
         let [few, many] = [of(100), of(10_000)];
         assert!((few.margin - 0.1 * 8.0_f64.sqrt()).abs() < 1e-12, "{few:?}");
         assert!((few.margin / many.margin - 10.0).abs() < 1e-9, "{few:?} and {many:?}");
     }
 
     #[test]
+    fn doubts_about_the_brightness_are_in_the_margin_alone() {
+        let [sure, doubtful] =
+            [0.5, 2.0].map(|w| LikelyError::of([[0.5, w]; 9].into_iter()).expect("nine pixels"));
+        assert_eq!((sure.rel_mse, doubtful.rel_mse), (0.5, 0.5), "the relMSE");
+        let ratio = (doubtful.bound() / sure.bound()).powi(2);
+        assert!((ratio - 4.0).abs() < 1e-12, "{sure:?} and {doubtful:?}");
+    }
+
+    #[test]
     fn no_pixel_has_no_error_and_agreement_has_error_zero() {
         assert_eq!(LikelyError::of(std::iter::empty()), None, "of nothing");
-        let error = LikelyError::of([0.0; 4].into_iter()).map(LikelyError::bound);
+        let error = LikelyError::of([[0.0; 2]; 4].into_iter()).map(LikelyError::bound);
         assert_eq!(error, Some(0.0), "of pixels without variance");
     }
 }

@@ -222,9 +222,10 @@ impl Film {
     /// ```
     ///
     /// over all pixels and channels, where m is what a pixel holds and μ what it would hold after
-    /// infinitely many samples. The true √relMSE lies below ε in at least 95 % of all seeds, as
-    /// long as no light is so rare that no pixel at all has found it. Pixels that have taken
-    /// samples, but hardly a finite one, are left out like those samples.
+    /// infinitely many samples. The true √relMSE lies below ε in at least 95 % of all seeds, unless
+    /// most of the error is that of one or two pixels whose light is so rare that they have not
+    /// found it. Pixels that have taken samples, but hardly a finite one, are left out like those
+    /// samples.
     ///
     /// `None` if the stage does not estimate, below four samples a pixel, and when no pixel has
     /// four finite samples.
@@ -237,7 +238,7 @@ impl Film {
         if self.samples()[0] < spread::FEWEST {
             return None;
         }
-        LikelyError::of(self.spreads().filter_map(|(_, sum, s)| s.relative_variance(sum.finite)))
+        LikelyError::of(self.spreads().filter_map(|(_, sum, s)| s.relative_variances(sum.finite)))
     }
 
     /// Whether no sample has brought any light.
@@ -372,9 +373,9 @@ mod tests {
         // 2²⁴ + 1 is no f32: the sum of these would be wrong without f64.
         let large = 16_777_216.0;
         let settings = FilmSettings { size: [1, 1], samples: 4, seed: 0, threads: Some(1) };
-        let calls = std::sync::atomic::AtomicU32::new(0);
+        let calls = AtomicU64::new(0);
         let image = expose(&settings, |_, _| {
-            let first = calls.fetch_add(1, std::sync::atomic::Ordering::Relaxed) == 0;
+            let first = calls.fetch_add(1, Ordering::Relaxed) == 0;
             [if first { large } else { 4.0 / 3.0 }; 3]
         });
         assert_eq!(image.pixel(0, 0)[0], 4_194_305.0, "the mean");

@@ -5,6 +5,10 @@
 /// usual relMSE.
 pub(crate) const FLOOR: f64 = 0.01;
 
+/// How many standard errors are believable: a normal quantity is further off, on one side, in 2.3 %
+/// of all cases.
+pub(crate) const STANDARD_ERRORS: f64 = 2.0;
+
 /// The fewest finite samples that tell a pixel's error: two in each half.
 pub(crate) const FEWEST: u32 = 4;
 
@@ -72,29 +76,37 @@ impl Spread {
         })
     }
 
-    /// The pixel's part of the expected relMSE, its mean over the channels.
+    // ANCHOR: relative-variance
+    /// The pixel's part of the expected relMSE, its mean over the channels: once with the brightness
+    /// that was found, and once with the least that is believable.
     ///
     /// ```text
     /// v = ½ [s²₀ / (m₁² + 0.01) + s²₁ / (m₀² + 0.01)] / n
     /// ```
     ///
-    /// with s² and m of the even samples (0) and of the odd ones (1). `None` below four samples.
-    pub(crate) fn relative_variance(&self, count: u32) -> Option<f64> {
+    /// with s² and m of the even samples (0) and of the odd ones (1). In the second value, each m
+    /// is less by two of its standard errors, and at least 0: a pixel that happened to meet its rare
+    /// bright light in *both* halves takes itself for bright. `None` below four samples.
+    pub(crate) fn relative_variances(&self, count: u32) -> Option<[f64; 2]> {
         if count < FEWEST {
             return None;
         }
         let n = halves(count);
-        let sum: f64 = [(0, 1), (1, 0)]
-            .into_iter()
-            .flat_map(|(one, other)| [0, 1, 2].map(|channel| (one, other, channel)))
-            .map(|(one, other, channel)| {
-                let variance = self.0[one].squares[channel] / (n[one] - 1.0);
-                let mean = self.0[other].sum[channel] / n[other];
-                variance / (mean * mean + FLOOR)
-            })
-            .sum();
-        Some(sum / 6.0 / f64::from(count))
+        let variance = |half: usize, c: usize| self.0[half].squares[c] / (n[half] - 1.0);
+        let mean = |half: usize, c: usize| self.0[half].sum[c] / n[half];
+        let doubt = |half, c| STANDARD_ERRORS * f64::sqrt(variance(half, c) / n[half]);
+        let mut sums = [0.0; 2];
+        for (one, other) in [(0, 1), (1, 0)] {
+            for c in 0..3 {
+                let brightest = mean(other, c);
+                let darkest = f64::max(brightest - doubt(other, c), 0.0);
+                sums[0] += variance(one, c) / (brightest * brightest + FLOOR);
+                sums[1] += variance(one, c) / (darkest * darkest + FLOOR);
+            }
+        }
+        Some(sums.map(|sum| sum / 6.0 / f64::from(count)))
     }
+    // ANCHOR_END: relative-variance
 }
 
 /// How many of `count` samples are even, and how many odd.
@@ -148,7 +160,8 @@ mod tests {
                 let variance = spread.variance_of_mean(count + 1);
                 assert!(count == 0 || variance == [0.0; 3], "{variance:?} of {value}s");
             }
-            assert_eq!(spread.relative_variance(10_000), Some(0.0), "of 10 000 times {value}");
+            let relative = spread.relative_variances(10_000);
+            assert_eq!(relative, Some([0.0; 2]), "of 10 000 times {value}");
         }
     }
 
@@ -160,13 +173,53 @@ mod tests {
         let first = 4.0 / (16.0 + FLOOR) + 8.0 / (9.0 + FLOOR);
         let second = 16.0 / (64.0 + FLOOR) + 32.0 / (36.0 + FLOOR);
         let expected = (first + second) / 2.0 / 3.0 / 5.0;
-        let found = spread.relative_variance(5).expect("five samples are enough");
+        let [found, _] = spread.relative_variances(5).expect("five samples are enough");
         assert!((found - expected).abs() < 1e-15, "{found}, by hand {expected}");
     }
 
     #[test]
+    fn the_second_relative_variance_divides_by_the_least_believable_brightness() {
+        let spread = spread(&[1.0, 2.0, 3.0, 6.0, 5.0]);
+        // 3 − 2 √(4/3) = 0.6906, and 4 − 2 √(8/2) = 0; the second channel is twice the first.
+        let least = 3.0 - 2.0 * f64::sqrt(4.0 / 3.0);
+        let first = 4.0 / FLOOR + 8.0 / (least * least + FLOOR);
+        let second = 16.0 / FLOOR + 32.0 / (4.0 * least * least + FLOOR);
+        let expected = (first + second) / 2.0 / 3.0 / 5.0;
+        let [_, found] = spread.relative_variances(5).expect("five samples are enough");
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found}, by hand {expected}");
+    }
+
+    /// A pixel at the edge of the lamp, as the Cornell box has two at 8 × 8 pixels: one sample in 200
+    /// is as bright as the lamp. Here each half has met one in 32.
+    #[test]
+    fn rare_light_that_both_halves_have_met_is_not_taken_for_brightness() {
+        let mut samples = [0.07; 64];
+        (samples[10], samples[33]) = (17.0, 17.0);
+        let truth = 0.07 + 17.0 / 200.0;
+        let mean = (62.0 * 0.07 + 2.0 * 17.0) / 64.0;
+        let error = (mean - truth) * (mean - truth) / (truth * truth + FLOOR);
+        let [likely, cautious] = spread(&samples).relative_variances(64).expect("64 samples");
+        let margin = 1.0 + 8.0_f64.sqrt();
+        assert!(margin * likely < error, "{likely} would do, the error is {error}");
+        assert!(margin * cautious > error, "{cautious} does not do, the error is {error}");
+    }
+
+    #[test]
+    fn the_second_relative_variance_is_never_the_smaller_one() {
+        for seed in 0..1000 {
+            let mut sampler = Sampler::new(seed, 0, 0);
+            let mut samples = [0.0; 16];
+            for sample in &mut samples {
+                *sample = if sampler.next_1d() < 0.2 { 17.0 } else { sampler.next_1d() };
+            }
+            let [likely, cautious] = spread(&samples).relative_variances(16).expect("16 samples");
+            assert!(likely <= cautious, "{likely} and {cautious} of {samples:?}");
+        }
+    }
+
+    #[test]
     fn too_few_samples_tell_nothing() {
-        assert_eq!(spread(&[1.0, 2.0, 1.0]).relative_variance(3), None, "three samples");
+        assert_eq!(spread(&[1.0, 2.0, 1.0]).relative_variances(3), None, "three samples");
         let variance = spread(&[1.0]).variance_of_mean(1);
         assert!(variance[0].is_nan(), "one sample has the variance {variance:?}");
     }

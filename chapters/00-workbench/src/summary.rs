@@ -87,7 +87,7 @@ mod tests {
     fn the_error_is_said_as_soon_as_it_is_known() {
         assert_eq!(error(&film(3, 1.0)), "", "after three samples");
         let text = error(&film(64, 1.0));
-        assert!(text.starts_with(", estimated error 1") && text.contains(" % (relMSE "), "{text}");
+        assert!(text.starts_with(", estimated error 2") && text.contains(" % (relMSE "), "{text}");
         assert_eq!(samples(&film(1, 1.0)), "1 sample", "a single sample");
     }
 

@@ -8,3 +8,4 @@ mod interrupt;
 mod output;
 mod scenes;
 mod sound;
+mod stated_error;
