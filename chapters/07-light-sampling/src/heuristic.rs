@@ -19,7 +19,7 @@ pub enum Estimator {
 ///
 /// A direction that one strategy has drawn with density p could have been drawn by the other one,
 /// with density p'. Any weights with w(p, p') + w(p', p) = 1 give the right mean; good ones are small
-/// where their strategy is bad [VeachGuibas95].
+/// where their strategy is bad \[VeachGuibas95].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Heuristic {
     /// w = p / (p + p')

@@ -4,14 +4,14 @@ use glam::Vec3;
 use ray_casting::{EndPoint, Ray, Rgb, SurfacePoint};
 use rendering_equation::Lambert;
 
+use crate::flat_lamp::FlatLamp;
 use crate::sphere_lamp::SphereLamp;
-use crate::triangle_lamp::TriangleLamp;
 
 /// Something that light comes from.
 #[derive(Clone, Copy, Debug)]
 pub enum Light {
-    /// A triangle that shines from its front.
-    Triangle(TriangleLamp),
+    /// A triangle or a parallelogram that shines from its front.
+    Flat(FlatLamp),
     /// A sphere that shines outward.
     Sphere(SphereLamp),
     /// A point, which no ray hits by chance.
@@ -62,7 +62,7 @@ impl Light {
     #[must_use]
     pub fn sample(&self, surface: &SurfacePoint, u: [f32; 2]) -> Option<LightSample> {
         match self {
-            Self::Triangle(lamp) => lamp.sample(surface.position, u),
+            Self::Flat(lamp) => lamp.sample(surface.position, u),
             Self::Sphere(lamp) => lamp.sample(surface.position, u),
             Self::Point { position, intensity } => {
                 let path = position - surface.position;
@@ -99,7 +99,7 @@ impl Light {
         use std::f64::consts::PI;
         let sum = |rgb: &Rgb| f64::from(rgb.x) + f64::from(rgb.y) + f64::from(rgb.z);
         match self {
-            Self::Triangle(lamp) => PI * lamp.area() * sum(&lamp.radiance),
+            Self::Flat(lamp) => PI * lamp.area() * sum(&lamp.radiance),
             Self::Sphere(lamp) => PI * lamp.area() * sum(&lamp.radiance),
             Self::Point { intensity, .. } => 4.0 * PI * sum(intensity),
             Self::Sky { radiance } => 4.0 * PI * PI * radius * radius * sum(radiance),

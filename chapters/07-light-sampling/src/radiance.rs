@@ -8,6 +8,8 @@ use ray_casting::{Intersect, Ray, Rgb, Scene, SurfacePoint};
 use rendering_equation::{Brdf, Density, Material, Materials};
 use workbench::{Counter, Probe, Sampler};
 
+use crate::choice::Choice;
+use crate::flat_lamp::Measure;
 use crate::heuristic::{Estimator, Heuristic};
 use crate::lights::Lights;
 
@@ -18,8 +20,26 @@ pub struct Settings {
     pub estimator: Estimator,
     /// How both ways are weighed, where both are used.
     pub heuristic: Heuristic,
+    /// Which of many lights is asked.
+    pub choice: Choice,
+    /// Which points of a flat lamp are.
+    pub measure: Measure,
     /// How paths end.
     pub ending: Ending,
+}
+
+impl Settings {
+    /// What the stage does unless it is told otherwise, with paths that end like this.
+    #[must_use]
+    pub fn new(ending: Ending) -> Self {
+        Self {
+            estimator: Estimator::default(),
+            heuristic: Heuristic::default(),
+            choice: Choice::default(),
+            measure: Measure::default(),
+            ending,
+        }
+    }
 }
 
 /// Path tracing with light sampling, over whatever finds the hits. `GLASS`: whether the scene has
@@ -56,7 +76,7 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS>
         let boundaries = Boundaries::new(scene);
         let at_eye = boundaries.media_at_eye(geometry);
         let materials = Materials::new(scene, pictures);
-        let lights = Lights::new(scene);
+        let lights = Lights::with(scene, settings.choice, settings.measure);
         // Before every event and after the last one, a ray may cross boundaries that are none.
         let straight = boundaries.most_crossings().saturating_add(1);
         let longest = settings.ending.depth.saturating_add(1).saturating_mul(straight);
@@ -72,7 +92,7 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS>
     ///
     /// At every hit, a point y of a lamp is drawn with density p_l and asked for its light; the lamps
     /// that the path itself runs into were found with the density of the scattering. The weights
-    /// w_s + w_l = 1 make sure that no lamp is counted twice [VeachGuibas95].
+    /// w_s + w_l = 1 make sure that no lamp is counted twice \[VeachGuibas95].
     pub fn incident_radiance(&self, mut ray: Ray, sampler: &mut Sampler) -> Rgb {
         let mut radiance = Rgb::ZERO;
         let mut throughput = Rgb::ONE; // β
@@ -86,7 +106,9 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS>
         for _ in 0..self.longest {
             let Some(hit) = self.geometry.intersect(&ray) else {
                 self.probe.tell(|| "the ray leaves the scene".to_owned());
-                let pdf = |last: &Scattering| self.lights.pdf_of_sky(last.facing, ray.direction);
+                let pdf = |last: &Scattering| {
+                    self.lights.pdf_of_sky(last.position, last.facing, ray.direction)
+                };
                 radiance += throughput * self.scene.background * self.weight_of_meeting(last, pdf);
                 break;
             };
@@ -97,7 +119,9 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS>
             self.probe.tell(|| format!("hits {:?} at {}", surface.hit, surface.position));
             let emitted = self.materials.emitted(&surface);
             if emitted != Rgb::ZERO {
-                let pdf = |last: &Scattering| self.lights.pdf_of_lamp(last.position, &surface);
+                let pdf = |last: &Scattering| {
+                    self.lights.pdf_of_lamp(last.position, last.facing, &surface)
+                };
                 radiance += throughput * emitted * self.weight_of_meeting(last, pdf);
             }
             let material = *self.materials.at(&surface);

@@ -6,6 +6,8 @@ use ray_casting::{Intersect, Scene};
 use rendering_equation::{Job, Renderer, simplifications};
 use workbench::{Error, Film, Probe, Run, Stage};
 
+use crate::choice::Choice;
+use crate::flat_lamp::Measure;
 use crate::heuristic::{Estimator, Heuristic};
 use crate::radiance::{LightTracer, Settings};
 
@@ -28,6 +30,12 @@ pub struct Extra {
     /// How the two ways to find a lamp are weighed
     #[arg(long, value_enum, default_value_t)]
     pub heuristic: Heuristic,
+    /// What the choice of a light is in proportion to
+    #[arg(long, value_enum, default_value_t)]
+    pub choice: Choice,
+    /// In which measure flat lamps are sampled uniformly
+    #[arg(long, value_enum, default_value_t)]
+    pub measure: Measure,
     /// How paths end
     #[command(flatten)]
     pub ends: Ends,
@@ -44,8 +52,9 @@ impl Renderer for Extra {
         geometry: &G,
     ) -> Result<Film, Error> {
         let Job { run, scene, pictures, probe } = *job;
-        let Self { estimator, heuristic, ends } = run.options.stage;
-        let settings = Settings { estimator, heuristic, ending: ends.ending(run.depth())? };
+        let Self { estimator, heuristic, choice, measure, ends } = run.options.stage;
+        let ending = ends.ending(run.depth())?;
+        let settings = Settings { estimator, heuristic, choice, measure, ending };
         let tracer: LightTracer<'_, G, P, GLASS> =
             LightTracer::new(scene, pictures, geometry, probe, settings);
         run.render(scene.exposure, probe, |film_point, sampler| {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use blinn_phong::Picture;
 use bv_tree::{Aabb, Builder, BvTree};
-use light_sampling::{Estimator, Heuristic, LightTracer, Settings};
+use light_sampling::{Estimator, LightTracer, Settings};
 use path_tracing::{Ending, Roulette};
 use ray_casting::Scene;
 use workbench::{FilmSettings, Unwatched, expose};
@@ -16,7 +16,7 @@ fn check(snapshot: &str, scene: &str, size: [u32; 2], estimator: Estimator) {
     let pictures = Picture::load_all(&scene).unwrap_or_else(|error| panic!("{error}"));
     let geometry = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
     let ending = Ending { depth: u32::MAX, roulette: Roulette::Throughput };
-    let settings = Settings { estimator, heuristic: Heuristic::Power, ending };
+    let settings = Settings { estimator, ..Settings::new(ending) };
     let tracer: LightTracer<'_, _, _, true> =
         LightTracer::new(&scene, &pictures, &geometry, &Unwatched, settings);
     let film = FilmSettings { size, samples: 16, seed: 0, threads: None };

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 use bv_tree::{Aabb, Builder, BvTree};
 use generator::Blob;
-use light_sampling::{Estimator, Heuristic, LightTracer, Settings};
+use light_sampling::{Estimator, LightTracer, Settings};
 use path_tracing::{Ending, Roulette};
 use ray_casting::Scene;
 use statistics::{Agreement, Criterion, Noisy, PowerLaw, assert_images, compare_images, seed};
@@ -93,7 +93,7 @@ fn noisy(picture: &Estimate) -> Noisy<'_> {
 fn picture(scene: &Scene, estimator: Estimator, samples: u32, seed: u64) -> Estimate {
     let geometry = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
     let ending = Ending { depth: DEPTH, roulette: Roulette::Throughput };
-    let settings = Settings { estimator, heuristic: Heuristic::Power, ending };
+    let settings = Settings { estimator, ..Settings::new(ending) };
     let tracer: LightTracer<'_, _, _, true> =
         LightTracer::new(scene, &[], &geometry, &Unwatched, settings);
     let film = FilmSettings { size: SIZE, samples, seed, threads: None };
@@ -163,16 +163,21 @@ fn a_picture_that_is_three_percent_too_bright_is_not_the_reference() {
     assert!(result.is_err(), "3 % passes: {result:?}");
 }
 
-/// The error falls as 1/√N, so relMSE as 1/N: the slope over two triplings.
+/// The error falls as 1/√N, so relMSE as 1/N (accuracy.md E12): the slope over two triplings, each
+/// point of it the mean of several pictures. Of a single picture of two samples, relMSE is off by 9 %
+/// as a rule; of these means, the slope is by 0.013.
 #[test]
 fn the_squared_error_falls_as_one_over_the_number_of_samples() {
     let reference = Reference::load("cornell", 16);
     let scene = scene("cornell-box");
     let own = reference.own_rel_mse();
-    let points = [2, 6, 18].map(|samples| {
-        let picture = picture(&scene, Estimator::Mis, samples, seed(u64::from(samples)));
-        let rel_mse = picture.image.rel_mse(&reference.image) - own;
-        [f64::from(samples), rel_mse]
+    let points = [(2, 16), (6, 8), (18, 4)].map(|(samples, pictures)| {
+        let rel_mse = (0..pictures).map(|i| {
+            let picture =
+                picture(&scene, Estimator::Mis, samples, seed(u64::from(100 * samples + i)));
+            picture.image.rel_mse(&reference.image) - own
+        });
+        [f64::from(samples), rel_mse.sum::<f64>() / f64::from(pictures)]
     });
     let law = PowerLaw::fit(&points).expect("three points");
     assert!((law.exponent + 1.0).abs() <= 0.04, "{points:?}: slope {law:?}");

@@ -26,6 +26,8 @@ enum Mistake {
     NoCosine,
     /// Only one of the two ways is weighted.
     OneWeight,
+    /// A lamp that is met is told how often it is chosen where it is, not where it was looked for.
+    PmfOfElsewhere,
 }
 
 /// Two unequal square lamps, far enough apart that each is a small part of the sky.
@@ -83,7 +85,13 @@ fn direct_light(scene: &Scene, mistake: Mistake, n: u32) -> Moments {
             if let Some(hit) = geometry.intersect(&ray) {
                 let met = scene.surface(&ray, &hit);
                 let emitted = scene.materials[met.material as usize].ke[0];
-                let pdf = lights.pdf_of_lamp(surface.position, &met);
+                let mut pdf = lights.pdf_of_lamp(surface.position, normal, &met);
+                if mistake == Mistake::PmfOfElsewhere {
+                    let number = (met.hit.primitive as usize - 2) / 2;
+                    let right = lights.pmf(surface.position, normal, number);
+                    let there = met.position + 0.1 * met.geometric_normal;
+                    pdf *= lights.pmf(there, -met.geometric_normal, number) / right;
+                }
                 if emitted > 0.0 && met.is_front() {
                     let w = match mistake {
                         Mistake::OneWeight => 1.0,
@@ -112,6 +120,7 @@ fn planted_bugs_are_noticed_and_their_absence_is_not() {
         Mistake::WrongMeasure,
         Mistake::NoCosine,
         Mistake::OneWeight,
+        Mistake::PmfOfElsewhere,
     ] {
         let result = of(mistake);
         assert!(result.is_err(), "{mistake:?} passes: {result:?}");

@@ -5,7 +5,7 @@ use std::path::Path;
 use blinn_phong::Picture;
 use bv_tree::{Aabb, Builder, BvTree};
 use glam::{DVec3, Vec3};
-use light_sampling::{Estimator, Heuristic, LightTracer, Settings};
+use light_sampling::{Estimator, LightTracer, Settings};
 use path_tracing::{Ending, Roulette};
 use ray_casting::{
     Attributes, Camera, Geometry, LinearSearch, PointLight, Ray, Rgb, Scene, Sphere,
@@ -23,7 +23,7 @@ pub(crate) const ESTIMATORS: [Estimator; 3] =
 /// Paths that only roulette ends.
 pub(crate) fn endless(estimator: Estimator) -> Settings {
     let ending = Ending { depth: u32::MAX, roulette: Roulette::Throughput };
-    Settings { estimator, heuristic: Heuristic::Power, ending }
+    Settings { estimator, ..Settings::new(ending) }
 }
 
 /// Paths of at most `depth` scattering events, all of which are followed.
@@ -100,14 +100,25 @@ pub(crate) fn add_sphere(scene: &mut Scene, center: Vec3, radius: f32, material:
 
 /// A block from corner `a` to corner `b`, normals outwards.
 pub(crate) fn add_block(scene: &mut Scene, a: Vec3, b: Vec3, material: u32) {
+    for face in block_faces(a, b) {
+        add_quad(scene, face, material);
+    }
+}
+
+fn block_faces(a: Vec3, b: Vec3) -> [[Vec3; 4]; 6] {
     let corner = |i: usize| {
         let pick = |axis: usize| if i >> axis & 1 == 0 { a[axis] } else { b[axis] };
         Vec3::new(pick(0), pick(1), pick(2))
     };
     let faces =
         [[4, 5, 7, 6], [1, 0, 2, 3], [0, 4, 6, 2], [5, 1, 3, 7], [6, 7, 3, 2], [0, 1, 5, 4]];
-    for face in faces {
-        add_quad(scene, face.map(corner), material);
+    faces.map(|face| face.map(corner))
+}
+
+/// A cube from −1 to 1, normals inwards.
+pub(crate) fn add_room(scene: &mut Scene, material: u32) {
+    for [a, b, c, d] in block_faces(Vec3::NEG_ONE, Vec3::ONE) {
+        add_quad(scene, [a, d, c, b], material);
     }
 }
 

@@ -8,7 +8,7 @@ use ray_casting::Scene;
 use statistics::{Grid, Rejected, assert_directions, seed};
 use workbench::Sampler;
 
-use crate::scenes::{LAMP, add_sphere, add_triangle, empty, seen, viewer};
+use crate::scenes::{LAMP, add_quad, add_sphere, add_triangle, empty, seen, viewer};
 
 /// By how much rounding may put a drawn direction outside the lamp.
 const EDGE: f64 = 1e-7;
@@ -20,7 +20,7 @@ const EDGE: f64 = 1e-7;
 /// says.
 fn density(scene: &Scene, lights: &Lights, facing: Vec3, wi: Vec3) -> f64 {
     let d = wi.as_dvec3();
-    let mut sum = f64::from(lights.pdf_of_sky(facing, wi));
+    let mut sum = f64::from(lights.pdf_of_sky(Vec3::ZERO, facing, wi));
     for primitive in 0..scene.geometry.primitives() {
         let point = match scene.geometry.sphere(primitive) {
             Some(sphere) => on_sphere(sphere.center.as_dvec3(), f64::from(sphere.radius), d),
@@ -28,7 +28,7 @@ fn density(scene: &Scene, lights: &Lights, facing: Vec3, wi: Vec3) -> f64 {
         };
         if let Some((point, normal)) = point {
             let lamp = seen(primitive, point.as_vec3(), normal.as_vec3(), wi);
-            sum += f64::from(lights.pdf_of_lamp(Vec3::ZERO, &lamp));
+            sum += f64::from(lights.pdf_of_lamp(Vec3::ZERO, facing, &lamp));
         }
     }
     sum
@@ -87,6 +87,34 @@ fn triangles_from_near_from_far_and_along_their_edge() {
         let fine = Grid { rows: 300, columns: 300, ..Grid::SPHERE };
         let grid = fine.around(middle.to_array()).within(angle);
         test(&format!("triangle, {name}"), &scene, middle.normalize(), grid, SAMPLES);
+    }
+}
+
+/// Both halves of a parallelogram, from where they are sampled by area and by solid angle.
+#[test]
+fn parallelograms_from_near_from_far_and_nearly_touching() {
+    let (x, y) = (vec3(1.0, 0.25, 0.0), vec3(-0.25, 0.75, 0.5));
+    for (name, away, size, angle) in [
+        // Off the diagonal, where both halves count; a row of the grid ends at the horizon, where the
+        // lamp does.
+        ("touching", vec3(0.2 + 1e-6, 0.05 - 4e-6, 6.5e-6), 1.0, FRAC_PI_2 * 10.0 / 9.0),
+        ("near", vec3(0.125, -0.5, 0.75), 1.0, FRAC_PI_2),
+        ("just far", vec3(0.0, 1.0, -2.0), 1.0, 1.0),
+        ("narrow", vec3(0.0, -0.125, 0.25), 0.125, FRAC_PI_2),
+    ] {
+        let mut scene = empty();
+        let (x, y) = (x, size * y);
+        let front = x.cross(y).dot(-away) > 0.0;
+        let corners = [away - x - y, away + x - y, away + x + y, away - x + y].map(|v| 0.5 * v);
+        let [a, b, c, d] = corners;
+        add_quad(&mut scene, if front { [a, b, c, d] } else { [a, d, c, b] }, LAMP);
+        let lights = Lights::new(&scene);
+        assert_eq!(lights.all().len(), 1, "{name}: {corners:?}");
+        let normal = if front { x.cross(y) } else { y.cross(x) }.normalize();
+        let axis = if angle > 1.0 { -normal } else { away.normalize() };
+        let fine = Grid { rows: 160, columns: 160, ..Grid::SPHERE };
+        let grid = fine.around(axis.to_array()).within(angle);
+        test(&format!("parallelogram, {name}"), &scene, axis, grid, SAMPLES);
     }
 }
 

@@ -1,8 +1,10 @@
 //! Lamps as distributions of directions, and the rays that ask for them.
 
+mod choices;
 mod cones;
 mod densities;
 mod directions;
 mod scenes;
 mod shadow_rays;
+mod solid_angles;
 mod which_lights;

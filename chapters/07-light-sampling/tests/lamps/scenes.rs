@@ -46,6 +46,15 @@ pub(crate) fn add_triangle(scene: &mut Scene, vertices: [Vec3; 3], material: u32
     scene.attributes.materials.push(material);
 }
 
+/// Two triangles; call before any sphere.
+pub(crate) fn add_quad(scene: &mut Scene, vertices: [Vec3; 4], material: u32) {
+    let first = scene.geometry.vertices.len() as u32;
+    scene.geometry.vertices.extend(vertices);
+    let halves = [[0, 1, 2], [0, 2, 3]].map(|half| half.map(|vertex| first + vertex));
+    scene.geometry.triangles.extend(halves);
+    scene.attributes.materials.extend([material; 2]);
+}
+
 pub(crate) fn add_sphere(scene: &mut Scene, center: Vec3, radius: f32, material: u32) {
     scene.geometry.spheres.push(Sphere { center, radius });
     scene.attributes.materials.push(material);

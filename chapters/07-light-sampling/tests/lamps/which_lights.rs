@@ -7,7 +7,9 @@ use light_sampling::{Light, Lights};
 use ray_casting::{Rgb, Scene};
 use workbench::Sampler;
 
-use crate::scenes::{LAMP, MATTE, add_point_light, add_sphere, add_triangle, empty, viewer};
+use crate::scenes::{
+    LAMP, MATTE, add_point_light, add_quad, add_sphere, add_triangle, empty, viewer,
+};
 
 /// A scene from text, with a lamp and a matte material.
 fn from_text(records: &str) -> Result<Scene, String> {
@@ -84,4 +86,45 @@ fn lights_send_what_physics_says() {
         assert!((power / expected - 1.0).abs() < 1e-6, "{powers:?}, expected {expected}");
     }
     assert!(matches!(lights.all()[3], Light::Sky { .. }), "the sky comes last");
+}
+
+/// A quad of the scene file is two triangles, and one light if it is a parallelogram of one material.
+#[test]
+fn the_two_halves_of_a_parallelogram_are_one_light() {
+    let corners = [Vec3::ZERO, Vec3::X, vec3(1.5, 0.5, 0.25), vec3(0.5, 0.5, 0.25)];
+    let mut bent = corners;
+    bent[2].y += 0.125;
+    for (name, corners, lights) in [("parallelogram", corners, 1), ("bent", bent, 2)] {
+        let mut scene = empty();
+        add_quad(&mut scene, corners, LAMP);
+        assert_eq!(Lights::new(&scene).all().len(), lights, "{name}: {corners:?}");
+        scene.attributes.materials[1] = MATTE;
+        assert_eq!(Lights::new(&scene).all().len(), 1, "{name}, one half matte");
+    }
+    // Three triangles in a row of which any two are halves: the first two are, the third is alone.
+    let mut scene = empty();
+    add_quad(&mut scene, corners, LAMP);
+    scene.geometry.triangles.push([0, 3, 1]);
+    scene.attributes.materials.push(LAMP);
+    let lights = Lights::new(&scene);
+    assert_eq!(lights.all().len(), 2, "{:?}", lights.all());
+
+    // Its area and its power are those of both, and a path that meets either half is told so.
+    let area = Vec3::X.cross(corners[3]).length();
+    let power = 3.0 * std::f64::consts::PI * f64::from(area);
+    let mut scene = empty();
+    add_quad(&mut scene, corners, LAMP);
+    let lights = Lights::new(&scene);
+    assert!((lights.all()[0].power(1.0) / power - 1.0).abs() < 1e-6, "{:?}", lights.all());
+    let from = vec3(0.75, -20.0, 30.0);
+    for (half, point) in
+        [(0, (corners[1] + corners[2]) / 3.0), (1, (corners[2] + corners[3]) / 3.0)]
+    {
+        let wi = (point - from).normalize();
+        let lamp = crate::scenes::seen(half, point, Vec3::Z, wi);
+        let pdf = lights.pdf_of_lamp(from, Vec3::NEG_Z, &lamp);
+        let normal = Vec3::X.cross(corners[3]).normalize();
+        let expected = point.distance_squared(from) / (area * -normal.dot(wi));
+        assert!((pdf / expected - 1.0).abs() < 1e-5, "half {half}: {pdf}, expected {expected}");
+    }
 }
