@@ -1,6 +1,8 @@
 //! The figures of chapter 7.
 
 mod cones;
+mod near;
+mod plates;
 pub(crate) mod stage;
 mod tables;
 
@@ -12,6 +14,12 @@ pub(super) const FIGURES: &[Figure] = &[
     Figure { file: "07-light-sampling/many-lights.png", draw: stage::many_lights },
     Figure { file: "07-light-sampling/whitted.png", draw: stage::whitted },
     Figure { file: "07-light-sampling/cones.svg", draw: cones::plot },
+    Figure { file: "07-light-sampling/floor-lamp.png", draw: near::pictures },
+    Figure { file: "07-light-sampling/near.svg", draw: near::plot },
+    Figure { file: "07-light-sampling/measures.md", draw: tables::measures },
+    Figure { file: "07-light-sampling/choices.md", draw: tables::choices },
+    Figure { file: "07-light-sampling/heuristics.md", draw: tables::heuristics },
+    Figure { file: "07-light-sampling/plates.md", draw: plates::table },
     Figure { file: "07-light-sampling/errors.md", draw: tables::errors },
     Figure { file: "07-light-sampling/rays.md", draw: tables::rays },
 ];

@@ -2,7 +2,7 @@
 
 use blinn_phong::Picture as Texture;
 use bv_tree::{Aabb, Builder, BvTree};
-use light_sampling::{Estimator, Heuristic, LightTracer, Settings};
+use light_sampling::{Choice, Estimator, LightTracer, Measure, Settings};
 use path_tracing::{Ending, Roulette};
 use ray_casting::Scene;
 use workbench::{Estimate, FilmSettings, Probe, Unwatched, expose_estimate};
@@ -14,6 +14,12 @@ use crate::picture::Picture;
 pub(super) const ESTIMATORS: [Estimator; 3] =
     [Estimator::Scatter, Estimator::Light, Estimator::Mis];
 
+/// All lights alike, by power, by what each can send to the point.
+pub(super) const CHOICES: [Choice; 3] = [Choice::Uniform, Choice::Power, Choice::Nearby];
+
+/// By area, and by solid angle from near.
+pub(super) const MEASURES: [Measure; 2] = [Measure::Area, Measure::SolidAngle];
+
 /// One of the course's scenes.
 pub(super) fn scene(name: &str) -> Scene {
     Scene::load(&scene_file(name)).unwrap_or_else(|error| panic!("{error}"))
@@ -22,7 +28,7 @@ pub(super) fn scene(name: &str) -> Scene {
 /// Paths that only roulette ends, as the stage's are when the command line says nothing.
 pub(crate) fn settings(estimator: Estimator) -> Settings {
     let ending = Ending { depth: u32::MAX, roulette: Roulette::Throughput };
-    Settings { estimator, heuristic: Heuristic::Power, ending }
+    Settings { estimator, ..Settings::new(ending) }
 }
 
 /// The stage's picture of a scene, with its noise.
@@ -59,8 +65,15 @@ pub(super) fn veach_plates() -> Drawing {
     compared("veach-plates", [240, 180], 16)
 }
 
+/// One lamp a hit, chosen in each of the three ways.
 pub(super) fn many_lights() -> Drawing {
-    compared("many-lights", [200, 200], 16)
+    let scene = scene("many-lights");
+    let film = FilmSettings { size: [200, 200], samples: 16, seed: 0, threads: None };
+    let pictures = CHOICES.map(|choice| {
+        let settings = Settings { choice, ..settings(Estimator::Mis) };
+        Picture::from(&draw(&scene, settings, &film, &Unwatched).image)
+    });
+    Picture::side_by_side(&pictures, 8).into()
 }
 
 pub(super) fn whitted() -> Drawing {

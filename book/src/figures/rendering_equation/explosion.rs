@@ -1,7 +1,7 @@
 //! N directions at every hit: how many rays that makes, and what they are worth.
 
 use bv_tree::{Aabb, Builder, BvTree};
-use light_sampling::{Estimator, Heuristic, LightTracer, Settings};
+use light_sampling::{LightTracer, Settings};
 use path_tracing::{Ending, Roulette};
 use ray_casting::{LinearSearch, Scene};
 use rendering_equation::{Branching, Density, DistributedTracer};
@@ -71,9 +71,8 @@ pub(crate) const SIZE: [u32; 2] = [20, 20];
 pub(crate) fn reference(scene: &Scene, depth: u32) -> Image {
     let tree = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
     let ending = Ending { depth, roulette: Roulette::Off };
-    let settings = Settings { estimator: Estimator::Mis, heuristic: Heuristic::Power, ending };
     let tracer: LightTracer<'_, _, _, false> =
-        LightTracer::new(scene, &[], &tree, &Unwatched, settings);
+        LightTracer::new(scene, &[], &tree, &Unwatched, Settings::new(ending));
     expose(&FilmSettings { size: SIZE, samples: 64, seed: 1, threads: None }, |point, sampler| {
         tracer.incident_radiance(scene.camera.ray(point), sampler)
     })
