@@ -21,7 +21,14 @@ pub struct Job<'a, E: Args, P> {
 /// A stage's options, which know how to render with them.
 ///
 /// `GLASS` says whether the scene has any. It and the kind of search are decided once a render, by
-/// type: what the scene does not need is not in the code that runs.
+/// type: what the scene does not need is not in the code that runs. With glass compiled in, a run on
+/// `cornell-box` executes 4.4 % more instructions in this chapter, 2.7 % in chapter 6 and 1.9 % in
+/// chapter 7. (Give the scene a material of glass that nothing is made of, and compare the two under
+/// `valgrind --tool=callgrind`: 32 × 32 pixels, 32 samples, one thread.)
+///
+/// Textures and the sky are no types, because there is nothing to gain. Where there is no texture,
+/// one comparison a hit remains, by the same measure at most 0.9 % (found by taking it out); of a
+/// black sky, a product for each ray that leaves the scene, at most 0.1 %.
 pub trait Renderer: Args + Sized {
     /// What the stage wants said about the scene in the summary, one sentence each; or why it cannot
     /// render it.

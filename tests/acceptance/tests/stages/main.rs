@@ -9,3 +9,4 @@ mod output;
 mod scenes;
 mod sound;
 mod stated_error;
+mod unneeded;
