@@ -21,7 +21,7 @@ const ROUNDING_NEAR_ZERO: f32 = f32::from_bits(4);
 ///    1 + γ(6): enough for the rounding of the hit's own t, too. (A negative t moves the wrong way,
 ///    but then the true one is negative as well, and nothing behind the origin is asked for.)
 /// 3. For d = 0 the ray never crosses. 1/d is ∞ and t = ±∞ says on which side of each plane it
-///    runs. Only an origin exactly on a plane gives 0 · ∞ = NaN, and [`overlap`] lets NaN constrain
+///    runs. Only an origin exactly on a plane gives 0 · ∞ = NaN, and `overlap` lets NaN constrain
 ///    nothing; at the plane of entry not even that occurs, since there 1/d is at most the largest
 ///    finite number.
 /// 4. That also keeps the entry a lower bound when 1/d overflows for a tiny d.
