@@ -92,6 +92,7 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> DistributedTracer<'a, G, P, 
                 continue;
             }
             if events == self.branching.depth {
+                self.probe.tell(|| "the depth ends the path".to_owned());
                 self.probe.count(Counter::PathsEndedByDepth, 1);
                 return radiance;
             }
@@ -107,8 +108,8 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> DistributedTracer<'a, G, P, 
                     for _ in 0..n {
                         let density = self.branching.density;
                         let Some(scattered) = brdf.sample(density, sampler) else { continue };
-                        self.tell(Counter::ScatterRays, events + 1, scattered.weight);
                         let next = surface.spawn(scattered.wi);
+                        self.tell(Counter::ScatterRays, events + 1, &next, scattered.weight);
                         // f |cos θ| / p times Lᵢ
                         reflected +=
                             scattered.weight * self.radiance(next, media, events + 1, sampler);
@@ -116,8 +117,8 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> DistributedTracer<'a, G, P, 
                     return radiance + passed * reflected / n as f32;
                 }
                 Material::Mirror { kr } => {
-                    self.tell(Counter::ReflectionRays, events + 1, kr);
                     let next = surface.spawn(mirror_direction(self.scene, &surface));
+                    self.tell(Counter::ReflectionRays, events + 1, &next, kr);
                     let reflected = kr * self.radiance(next, media, events + 1, sampler);
                     return radiance + passed * reflected;
                 }
@@ -130,13 +131,13 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> DistributedTracer<'a, G, P, 
                             // Divided by its probability, the share 1 − F is 1. Radiance grows by
                             // η² where the rays are crowded together.
                             let weight = crossing.kt * (crossing.eta * crossing.eta);
-                            self.tell(Counter::RefractionRays, events + 1, weight);
                             let next = crossing.far.spawn(refracted);
+                            self.tell(Counter::RefractionRays, events + 1, &next, weight);
                             weight * self.radiance(next, crossing.beyond, events + 1, sampler)
                         }
                         _ => {
-                            self.tell(Counter::ReflectionRays, events + 1, Rgb::ONE);
                             let next = crossing.near.spawn(split.reflected);
+                            self.tell(Counter::ReflectionRays, events + 1, &next, Rgb::ONE);
                             self.radiance(next, media, events + 1, sampler)
                         }
                     };
@@ -149,9 +150,12 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> DistributedTracer<'a, G, P, 
     // ANCHOR_END: incident_radiance
 
     /// Counts a ray, and tells of it under `--pixel`.
-    fn tell(&self, kind: Counter, events: u32, weight: Rgb) {
+    fn tell(&self, kind: Counter, events: u32, ray: &Ray, weight: Rgb) {
         self.probe.count(kind, 1);
-        self.probe.tell(|| format!("{kind:?} {events}: weight {weight}"));
+        self.probe.tell(|| {
+            let Ray { origin, direction, .. } = ray;
+            format!("{kind:?} {events}: from {origin} along {direction}, weight {weight}")
+        });
     }
 }
 

@@ -146,7 +146,10 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> PathTracer<'a, G, P, GLASS> 
                 throughput /= q;
             }
             self.probe.count(kind, 1);
-            self.probe.tell(|| format!("{kind:?} {events}: throughput {throughput}"));
+            self.probe.tell(|| {
+                let Ray { origin, direction, .. } = ray;
+                format!("{kind:?} {events}: from {origin} along {direction}, β = {throughput}")
+            });
         }
         radiance
     }

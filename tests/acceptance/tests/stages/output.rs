@@ -26,7 +26,7 @@ const KEYS: [(&str, &[&str]); 4] = [
     ),
 ];
 
-/// interface.md §3.
+/// Scripts rely on them: keys are added, never renamed.
 #[test]
 fn statistics_have_the_promised_keys() {
     let folder = Folder::with(&[("s.toml", &scene(BALL))]);
@@ -99,6 +99,31 @@ fn a_pixel_is_told_and_not_written() {
         }
         fs::remove_file(folder.path("whole.exr")).expect("it is removed");
         assert_eq!(folder.files(), ["s.toml"], "{stage}: the files");
+    }
+}
+
+/// `--pixel` promises every ray, hit and weight of the first path.
+#[test]
+fn the_story_of_a_path_has_every_ray_with_its_weight() {
+    let folder = Folder::with(&[]);
+    for stage in ["mirror-refraction", "bv-tree", "rendering-equation", "path-tracing"] {
+        for pixel in ["21,43", "43,40", "32,5"] {
+            let depth = if stage == "rendering-equation" { "--depth 3" } else { "" };
+            let options = format!("--size 64x64 --samples 1 --pixel {pixel} {depth}");
+            let arguments = format!("cornell-spheres {options} --stats stats.json");
+            let output = folder.run(stage, &arguments, 0);
+            let story = String::from_utf8_lossy(&output.stdout);
+            let text = fs::read_to_string(folder.path("stats.json")).expect("the statistics");
+            let all: Value = serde_json::from_str(&text).expect("they are JSON");
+            let rays = ["camera", "reflection", "refraction", "scatter"]
+                .map(|kind| all["rays"][kind].as_u64().expect("a count"));
+            let told = story.lines().filter(|line| line.contains(" along ")).count();
+            assert_eq!(told as u64, rays.iter().sum::<u64>(), "{stage}, {pixel}: {story}");
+            let ends = ["hits", "leaves the scene"].map(|end| story.matches(end).count());
+            assert_eq!(ends.iter().sum::<usize>(), told, "{stage}, {pixel}, its ends: {story}");
+            let weights = ["weight", "β ="].map(|weight| story.matches(weight).count());
+            assert!(weights.iter().sum::<usize>() + 1 >= told, "{stage}, its weights: {story}");
+        }
     }
 }
 
