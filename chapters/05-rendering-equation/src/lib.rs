@@ -28,7 +28,7 @@ pub use frame::Frame;
 pub use lambert::Lambert;
 pub use lobe::Lobe;
 pub use material::{Material, Materials};
-pub use radiance::{Branching, DistributedTracer, simplifications};
+pub use radiance::{Branching, DistributedTracer, remarks, simplifications};
 pub use scattered::Scattered;
 pub use search::{Job, Renderer, draw};
 pub use stage::{Extra, STAGE};

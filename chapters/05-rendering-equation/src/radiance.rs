@@ -159,16 +159,21 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> DistributedTracer<'a, G, P, 
     }
 }
 
-/// What this stage shows more plainly than the scene asks, one sentence each.
+/// What a stage that waits to meet lamps shows more plainly than the scene asks, one sentence each.
 #[must_use]
 pub fn simplifications(scene: &Scene) -> Vec<String> {
-    let mut sentences = scene.notices.clone();
+    let mut sentences = remarks(scene);
     if scene.point_lights().next().is_some() {
         sentences
             .push("a random direction never hits a point light: they are dark here".to_owned());
     }
-    sentences.extend(unphysical(scene));
     sentences
+}
+
+/// What every physical stage has to say of a scene, one sentence each.
+#[must_use]
+pub fn remarks(scene: &Scene) -> Vec<String> {
+    scene.notices.iter().cloned().chain(unphysical(scene)).collect()
 }
 
 /// Names of the materials that would reflect more light than arrives.

@@ -139,6 +139,7 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS>
                 continue;
             }
             if events == depth {
+                self.probe.tell(|| "the depth ends the path".to_owned());
                 self.probe.count(Counter::PathsEndedByDepth, 1);
                 break;
             }
@@ -147,6 +148,7 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS>
                 Material::Matte { kd, map_kd, lobe } => {
                     let brdf = self.materials.brdf(&surface, kd, map_kd, lobe);
                     if brdf.is_black() {
+                        self.probe.tell(|| "the surface reflects nothing".to_owned());
                         self.probe.count(Counter::PathsEndedByBlack, 1);
                         break;
                     }
@@ -199,13 +201,17 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS>
             let q = roulette.survival(throughput / squeezed, events);
             if q < 1.0 {
                 if sampler.next_1d() >= q {
+                    self.probe.tell(|| format!("roulette ends the path, which had q = {q}"));
                     self.probe.count(Counter::PathsEndedByRoulette, 1);
                     break;
                 }
                 throughput /= q;
             }
             self.probe.count(kind, 1);
-            self.probe.tell(|| format!("{kind:?} {events}: throughput {throughput}"));
+            self.probe.tell(|| {
+                let Ray { origin, direction, .. } = ray;
+                format!("{kind:?} {events}: from {origin} along {direction}, β = {throughput}")
+            });
         }
         radiance
     }

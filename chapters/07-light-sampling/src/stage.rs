@@ -3,7 +3,7 @@
 use clap::Args;
 use path_tracing::Ends;
 use ray_casting::{Intersect, Scene};
-use rendering_equation::{Job, Renderer, simplifications};
+use rendering_equation::{Job, Renderer, remarks, simplifications};
 use workbench::{Error, Film, Probe, Run, Stage};
 
 use crate::choice::Choice;
@@ -44,7 +44,11 @@ pub struct Extra {
 impl Renderer for Extra {
     fn remarks(run: &Run<Self>, scene: &Scene) -> Result<Vec<String>, Error> {
         run.options.stage.ends.ending(run.depth())?;
-        Ok(simplifications(scene))
+        // Only who waits to meet the lamps does not find the point lights.
+        Ok(match run.options.stage.estimator {
+            Estimator::Scatter => simplifications(scene),
+            Estimator::Light | Estimator::Mis => remarks(scene),
+        })
     }
 
     fn render<G: Intersect, P: Probe, const GLASS: bool>(

@@ -106,7 +106,8 @@ fn a_pixel_is_told_and_not_written() {
 #[test]
 fn the_story_of_a_path_has_every_ray_with_its_weight() {
     let folder = Folder::with(&[]);
-    for stage in ["mirror-refraction", "bv-tree", "rendering-equation", "path-tracing"] {
+    let recursions = ["mirror-refraction", "bv-tree"];
+    for stage in recursions.into_iter().chain(ESTIMATING) {
         for pixel in ["21,43", "43,40", "32,5"] {
             let depth = if stage == "rendering-equation" { "--depth 3" } else { "" };
             let options = format!("--size 64x64 --samples 1 --pixel {pixel} {depth}");
@@ -117,13 +118,33 @@ fn the_story_of_a_path_has_every_ray_with_its_weight() {
             let all: Value = serde_json::from_str(&text).expect("they are JSON");
             let rays = ["camera", "reflection", "refraction", "scatter"]
                 .map(|kind| all["rays"][kind].as_u64().expect("a count"));
-            let told = story.lines().filter(|line| line.contains(" along ")).count();
+            let is_ray = |line: &&str| line.contains(" from ") && line.contains(" along ");
+            let told = story.lines().filter(is_ray).count();
             assert_eq!(told as u64, rays.iter().sum::<u64>(), "{stage}, {pixel}: {story}");
             let ends = ["hits", "leaves the scene"].map(|end| story.matches(end).count());
             assert_eq!(ends.iter().sum::<usize>(), told, "{stage}, {pixel}, its ends: {story}");
             let weights = ["weight", "β ="].map(|weight| story.matches(weight).count());
             assert!(weights.iter().sum::<usize>() + 1 >= told, "{stage}, its weights: {story}");
         }
+    }
+}
+
+/// What a stage cannot show it says, and nothing else: chapter 7 finds the point lights, unless it
+/// waits to meet them.
+#[test]
+fn only_who_cannot_find_point_lights_says_so() {
+    let folder = Folder::with(&[("s.toml", &scene(BALL))]);
+    for (stage, options, is_blind) in [
+        ("rendering-equation", "", true),
+        ("path-tracing", "", true),
+        ("light-sampling", "--estimator scatter", true),
+        ("light-sampling", "--estimator light", false),
+        ("light-sampling", "--estimator mis", false),
+    ] {
+        let line = format!("s.toml --samples 4 {options} -o a.png");
+        let summary = folder.complaint(stage, &line, 0);
+        let says_so = summary.contains("never hits a point light");
+        assert_eq!(says_so, is_blind, "{stage} {options}: {summary}");
     }
 }
 
