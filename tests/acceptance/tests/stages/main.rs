@@ -2,6 +2,7 @@
 
 mod agreement;
 mod bad_input;
+mod closed_forms;
 mod command_line;
 #[cfg(unix)]
 mod interrupt;
