@@ -13,7 +13,6 @@ pub struct Discrete {
 const STEPS: f64 = 16_777_216.0;
 
 impl Discrete {
-    // ANCHOR: new
     /// Numbers in proportion to `weights`, which are finite, not negative, and not all 0 if there are
     /// any; at most 2²⁴ of them are above 0.
     ///
@@ -47,7 +46,6 @@ impl Discrete {
         let pmf = starts.zip(&ends).map(|(start, end)| ((end - start) / STEPS) as f32).collect();
         Self { pmf, cumulative: ends.iter().map(|end| (end / STEPS) as f32).collect() }
     }
-    // ANCHOR_END: new
 
     // ANCHOR: pick
     /// The number that `u` ∈ [0, 1) picks: the first whose cumulative sum exceeds u.

@@ -181,7 +181,6 @@ impl FlatLamp {
     }
     // ANCHOR_END: sample
 
-    // ANCHOR: solid_angle
     /// Draws one of all directions in which `viewer` sees the lamp, all equally likely.
     ///
     /// A parallelogram is two triangles, chosen in proportion to their solid angles. The direction is
@@ -215,7 +214,6 @@ impl FlatLamp {
         let sample = LightSample { wi, radiance, pdf_solid_angle, is_delta: false, end: Some(end) };
         (end.position != viewer).then_some(sample)
     }
-    // ANCHOR_END: solid_angle
 
     /// The one or two triangles that `viewer` sees.
     fn halves(&self, viewer: Vec3) -> [Option<SphericalTriangle>; 2] {

@@ -119,7 +119,6 @@ impl Lights {
     }
     // ANCHOR_END: sample
 
-    // ANCHOR: pick
     /// The light that `u` picks for a surface at `viewer`, and the probability of that.
     #[inline]
     fn pick(&self, viewer: Vec3, facing: Vec3, u: f32) -> (usize, f32) {
@@ -137,7 +136,6 @@ impl Lights {
         let nearby = self.nearby.as_ref().and_then(|nearby| nearby.pmf(viewer, facing, number));
         nearby.unwrap_or_else(|| self.anywhere.pmf(number))
     }
-    // ANCHOR_END: pick
 }
 
 /// The lamp that begins with a primitive, if it shines, and of how many primitives it is made: a

@@ -68,7 +68,6 @@ impl Nearby {
         Some(Self { blocks, sky, number_of_sky })
     }
 
-    // ANCHOR: pick
     /// The light that `u` ∈ [0, 1) picks for a surface at `place` whose normal on the viewer's side
     /// is `facing`, and the probability of that; `None` if the weights say nothing: all are 0, or
     /// their sum is too large for a number.
@@ -99,7 +98,6 @@ impl Nearby {
         };
         Some(weight / total)
     }
-    // ANCHOR_END: pick
 
     /// The sums of the weights; `None` if they say nothing.
     #[inline]

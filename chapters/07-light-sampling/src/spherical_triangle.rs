@@ -16,7 +16,6 @@ pub struct SphericalTriangle {
 }
 
 impl SphericalTriangle {
-    // ANCHOR: solid_angle
     /// What is seen of the triangle with these ways to its corners, which run counter-clockwise for
     /// the viewer; `None` if they do not, and if it is seen along its plane.
     ///
@@ -38,7 +37,6 @@ impl SphericalTriangle {
         // A viewer at a corner has no direction toward it: then all is NaN, and nothing is seen.
         (det > 0.0 && solid_angle > 0.0).then_some(Self { corners: [a, b, c], solid_angle })
     }
-    // ANCHOR_END: solid_angle
 
     // ANCHOR: sample
     /// Draws a direction of the triangle, all equally likely: their density is 1/Ω.

@@ -137,7 +137,8 @@ pub(super) fn table() -> Drawing {
             let cells = variances.map(|v| match v {
                 10.0.. => format!("{v:.0}"),
                 0.1.. => format!("{v:.2}"),
-                _ => format!("{v:.3}"),
+                0.01.. => format!("{v:.3}"),
+                _ => format!("{v:.4}"),
             });
             let first = [sphere.radius.to_string(), exponent.to_string()];
             table.row(first.into_iter().chain(cells));
