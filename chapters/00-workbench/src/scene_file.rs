@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 use toml::de::DeTable;
@@ -255,7 +255,14 @@ impl<'a> SceneReader<'a> {
         let mesh = mesh::load(&path, material, &mut collection).map_err(|error| match error {
             // The line that names the file helps more than the name alone.
             SceneError::Read { path, source } => {
-                file.error(format!("names `{}`, which could not be read: {source}", path.display()))
+                let path = path.display();
+                let remedy = match source.kind() {
+                    ErrorKind::NotFound => {
+                        "; a name is relative to the scene file, whose comments may say how to make it"
+                    }
+                    _ => "",
+                };
+                file.error(format!("names `{path}`, which could not be read: {source}{remedy}"))
             }
             other => other,
         })?;
@@ -296,10 +303,12 @@ fn camera(table: &Table<'_>) -> Result<CameraRecord, SceneError> {
         return Err(target_item.error("is the same point as `eye`; the camera looks nowhere"));
     }
     if corners::are_parallel(corners::difference(target, eye), up.map(f64::from)) {
-        let item = table.get("up").unwrap_or(target_item);
-        return Err(
-            item.error("makes `up` zero or parallel to the view direction; choose another `up`")
-        );
+        return Err(match table.get("up") {
+            Some(up) => up.error("is zero or parallel to the view direction; choose another"),
+            None => {
+                target_item.error("lies straight above or below `eye`; give the camera an `up`")
+            }
+        });
     }
     let fov_rule = "it must be above 0 and below 180 degrees";
     let fov = table.require("fov")?.number_that(|fov| fov > 0.0 && fov < 180.0, fov_rule)?;

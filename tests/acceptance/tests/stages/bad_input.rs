@@ -71,9 +71,13 @@ fn a_scene_file_that_is_wrong() {
         (
             "nothing as mesh",
             scene("[[mesh]]\nfile = 'b.obj'\n"),
-            vec!["`s.toml`, line 15:", "b.obj"],
+            vec!["`s.toml`, line 15:", "b.obj", "relative to the scene file"],
         ),
-        ("a look upwards", HEAD.replace("eye = [0, 0, 5]", "eye = [0, 5, 0]"), vec!["up"]),
+        (
+            "a look upwards",
+            HEAD.replace("eye = [0, 0, 5]", "eye = [0, 5, 0]"),
+            vec!["`s.toml`, line 4:", "`up`"],
+        ),
     ];
     for (case, text, parts) in cases {
         check(case, &Folder::with(&[("s.toml", &text)]), &parts);
