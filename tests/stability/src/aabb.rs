@@ -1,0 +1,3 @@
+//! Axis-aligned boxes: B1 to B15.
+
+crate::catalogue! {}

@@ -1,0 +1,3 @@
+//! Stages that have to agree, and bits that have to be the same: I1 to I7.
+
+crate::catalogue! {}

@@ -1,0 +1,3 @@
+//! The camera: C1 to C8.
+
+crate::catalogue! {}

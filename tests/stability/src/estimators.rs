@@ -1,0 +1,3 @@
+//! Estimators against closed forms: E1 to E16.
+
+crate::catalogue! {}

@@ -1,0 +1,3 @@
+//! Discrete oriented polytopes: K1 to K6.
+
+crate::catalogue! {}

@@ -1,0 +1,3 @@
+//! Oriented boxes: O1 to O8.
+
+crate::catalogue! {}

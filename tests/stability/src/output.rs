@@ -1,0 +1,3 @@
+//! Pictures: G1 to G7.
+
+crate::catalogue! {}

@@ -1,0 +1,3 @@
+//! Reflection, refraction, Fresnel: F1 to F15.
+
+crate::catalogue! {}

@@ -1,0 +1,3 @@
+//! Samplers and their densities: M1 to M14.
+
+crate::catalogue! {}

@@ -1,0 +1,3 @@
+//! Blinn-Phong: BP1 to BP12.
+
+crate::catalogue! {}

@@ -1,0 +1,3 @@
+//! Trees: V1 to V14.
+
+crate::catalogue! {}

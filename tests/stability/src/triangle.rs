@@ -1,0 +1,3 @@
+//! Rays and triangles: T1 to T18.
+
+crate::catalogue! {}
