@@ -15,6 +15,7 @@
 //! | [`case`] | what a case is, and the macro that makes tests of a table |
 //! | [`trial`] | what a case reports to |
 //! | [`laboratory`] | runs a case on all cores |
+//! | [`report`] | the table of the long tier |
 //! | [`random`] | random numbers of any magnitude |
 //! | [`scenes`] | geometry without a file, and what a search finds in it |
 //! | [`bits`] | units in the last place, and floats as exact bits |
@@ -24,6 +25,7 @@ pub mod bits;
 pub mod case;
 pub mod laboratory;
 pub mod random;
+pub mod report;
 pub mod scenes;
 pub mod trial;
 

@@ -124,7 +124,7 @@ fn sphere_light(beta: f64, h: f64) -> Scene {
     scene
 }
 
-/// E5: E = πL (r/d)² cos θ, as long as the whole sphere is above the horizon.
+/// E5, and by all estimators I5: E = πL (r/d)² cos θ, as long as the whole sphere is above the horizon.
 #[test]
 fn a_sphere_light_above_the_horizon_obeys_the_inverse_square() {
     let facing = PI / 9.0;
