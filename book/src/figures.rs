@@ -11,6 +11,7 @@ mod mirror_refraction;
 mod path_tracing;
 mod ray_casting;
 pub(crate) mod rendering_equation;
+pub(crate) mod stability;
 mod workbench;
 
 use std::collections::BTreeSet;
@@ -84,6 +85,7 @@ pub fn all() -> Vec<Figure> {
         rendering_equation::FIGURES,
         path_tracing::FIGURES,
         light_sampling::FIGURES,
+        stability::FIGURES,
     ]
     .concat()
 }

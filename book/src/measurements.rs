@@ -7,6 +7,7 @@
 
 mod bv_tree;
 mod rendering_equation;
+mod stability;
 
 use std::fs;
 use std::path::Path;
@@ -32,7 +33,7 @@ pub struct Measurement {
 /// Every measurement of the book, chapter by chapter.
 #[must_use]
 pub fn all() -> Vec<Measurement> {
-    [bv_tree::MEASUREMENTS, rendering_equation::MEASUREMENTS].concat()
+    [bv_tree::MEASUREMENTS, rendering_equation::MEASUREMENTS, stability::MEASUREMENTS].concat()
 }
 
 /// Takes the measurements whose file name contains `only`, and writes them into the book at `root`.

@@ -30,7 +30,7 @@ const ROUNDS: usize = 9;
 
 /// The medians of the seconds of each piece of work, run in turn, so that what slows the machine
 /// down for a while slows all of them.
-fn alternating(work: &[Box<dyn Fn() -> u64 + '_>]) -> Vec<f64> {
+pub(super) fn alternating(work: &[Box<dyn Fn() -> u64 + '_>]) -> Vec<f64> {
     let mut seconds = vec![Vec::new(); work.len()];
     for _ in 0..ROUNDS {
         for (work, seconds) in work.iter().zip(&mut seconds) {

@@ -20,7 +20,7 @@ const DEPTH: u32 = 8;
 /// A ray, and whether any hit will do.
 #[derive(Clone, Copy)]
 pub(crate) struct Question {
-    ray: Ray,
+    pub(crate) ray: Ray,
     any: bool,
 }
 
