@@ -48,11 +48,11 @@ pub(super) fn acne() -> Drawing {
     Picture::side_by_side(&panels, 8).into()
 }
 
-/// Where the ball touches the floor, enlarged, in a scene of which a thousandth is a large part.
+/// The ball and its shadow, in a scene of which a thousandth is a large part.
 pub(super) fn floating() -> Drawing {
     let panels = [by_constant as Leave, by_bound].map(|leave| {
-        let small = Place { scale: 4e-3, ..HERE };
-        Ball::new(small).draw([360, 240], 16, leave).crop([130, 85], [100, 70]).enlarged(3)
+        let small = Place { scale: 5e-4, ..HERE };
+        Ball::new(small).draw([360, 240], 16, leave).crop([120, 10], [180, 140]).enlarged(2)
     });
     Picture::side_by_side(&panels, 8).into()
 }
