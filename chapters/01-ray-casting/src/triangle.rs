@@ -149,14 +149,13 @@ pub fn decide(
     if !in_reach {
         return None;
     }
+    let forward = 1.0_f64.copysign(ray.inverse_z);
     if t <= ray.ray.extent.min {
-        // Rounding moves z by γ(1) of the size: what is farther behind lies behind.
-        let behind = f64::from(ray.ray.extent.min - t);
-        if behind > f64::from(gamma(2) * size(&sheared)) * ray.inverse_z.abs() {
+        if lies_in_front(-forward, &sheared, z, det) || is_passed(ray, &sheared, t) {
             return None;
         }
         t = settle(&ray.ray, vertices(), t)?;
-    } else if !lies_in_front(ray, &sheared, z, det) {
+    } else if !lies_in_front(forward, &sheared, z, det) {
         t = settle(&ray.ray, vertices(), t)?;
     }
     let barycentric = Vec2::new((v * inverse) as f32, (w * inverse) as f32);
@@ -165,7 +164,8 @@ pub fn decide(
 // ANCHOR_END: intersect
 
 // ANCHOR: lies_in_front
-/// Whether the hit, at depth `z`, lies in front of the origin whatever the roundings have done.
+/// Whether the hit, at depth `z`, lies in front of the origin whatever the roundings have done;
+/// behind it, if `forward` is the sign of −d_z instead of d_z.
 ///
 /// The plane through the vertices is z = z₀ + s_x x + s_y y. Moving vertex i by (δx, δy, δz) moves it
 /// at the hit by its weight times δz − s_x δx − s_y δy, so z is off by at most
@@ -179,8 +179,7 @@ pub fn decide(
 /// those of the rounded vertices. A small triangle far away has a poor bound for its slopes; there it
 /// is enough that all vertices lie in front.
 #[inline]
-fn lies_in_front(ray: &ShearedRay, sheared: &[[f32; 3]; 3], z: f64, det: f64) -> bool {
-    let forward = 1.0_f64.copysign(ray.inverse_z);
+fn lies_in_front(forward: f64, sheared: &[[f32; 3]; 3], z: f64, det: f64) -> bool {
     let [a, b, c] = sheared.map(|p| forward as f32 * p[2]);
     let size = size(sheared);
     if a.min(b).min(c) > gamma(16) * size {
@@ -188,6 +187,14 @@ fn lies_in_front(ray: &ShearedRay, sheared: &[[f32; 3]; 3], z: f64, det: f64) ->
     }
     let (det, size) = (det.abs(), f64::from(size));
     forward * z * det > f64::from(gamma(16)) * size * (det + 16.0 * size * size)
+}
+
+/// Whether a ray that starts behind its origin, at `extent.min`, has left the hit at `t` behind. No
+/// surface is left there, and the rounding of z alone, γ(1) of the size, has to be allowed for.
+#[inline]
+fn is_passed(ray: &ShearedRay, sheared: &[[f32; 3]; 3], t: f32) -> bool {
+    let min = ray.ray.extent.min;
+    min != 0.0 && f64::from(min - t) > f64::from(gamma(2) * size(sheared)) * ray.inverse_z.abs()
 }
 
 /// The largest |component|.

@@ -269,3 +269,26 @@ fn a_hit_counts_up_to_the_far_end_and_not_at_the_near_one() {
         assert_eq!(hit.is_some(), counts, "extent ({min}, {max}]: {hit:?}");
     }
 }
+
+/// accuracy T15: the tilted triangle lies a rounding ahead of the origin, at t = 0.0027. Moving its
+/// corners by a rounding puts it behind, by more than one rounding, since they lie far aside.
+#[test]
+fn a_tilted_wall_is_met_from_a_few_floats_before_it() {
+    let corners = [
+        [0xc550_c1e0, 0xc54c_73be, 0x45a8_8b83],
+        [0xc52a_9da6, 0xc53b_b268, 0xc549_695d],
+        [0x441f_c512, 0xc640_f6af, 0x4568_2377],
+    ];
+    let origin = bits([0xc510_0d3e, 0xc599_b106, 0x44a9_970a]);
+    let ray = Ray::new(origin, bits([0xbe37_96ef, 0x3e7d_6492, 0x3f73_c13f]));
+    let hit = intersect(&ray, &corners.map(bits));
+    assert!(hit.is_some(), "{ray:?} leaves through the wall");
+    let back = Ray::new(origin, -ray.direction);
+    let hit = intersect(&back, &corners.map(bits));
+    assert_eq!(hit, None, "{back:?} leads away from the wall");
+}
+
+/// A vector from the bits of its components.
+fn bits(v: [u32; 3]) -> Vec3 {
+    Vec3::from_array(v.map(f32::from_bits))
+}
