@@ -215,9 +215,10 @@ fn size(sheared: &[[f32; 3]; 3]) -> f32 {
 /// the origin of a spawned ray is away from its triangle by much more than the roundings here. Two
 /// cases remain:
 ///
-/// - Which side a ray is spawned on was decided by a rounded N·d. If that is zero up to its rounding,
-///   a ray that starts at the surface may start on the one side and lead to the other. It runs along
-///   the surface, and does not meet it.
+/// - Which side a ray is spawned on was decided by a rounded N·d, γ(5) off, and a ray toward a point
+///   has its direction rounded again, by γ(2). If N·d is zero up to that, γ(8) in all, a ray that
+///   starts at the surface may start on the one side and lead to the other. It runs along the
+///   surface, and does not meet it.
 /// - A hit that rounding has put behind the near end of the extent is put back: as near as a hit can
 ///   be. Otherwise a ray that starts in the corner of a room, next to one wall, would leave through it.
 #[inline(never)] // hardly ever called: it would only be in the way of the loop over triangles
@@ -237,7 +238,7 @@ fn settle(ray: &Ray, vertices: [Vec3; 3], t: f32) -> Option<f32> {
     let size = n.abs();
     let at_surface = distance.abs()
         <= size.dot(f64::from(gamma(8)) * o.abs() + DOUBLE * (v0.abs() + e1.abs() + e2.abs()));
-    let runs_along = speed.abs() <= f64::from(gamma(5)) * size.dot(d.abs());
+    let runs_along = speed.abs() <= f64::from(gamma(8)) * size.dot(d.abs());
     (!(at_surface && runs_along)).then(|| t.max(extent.min.next_up()))
 }
 

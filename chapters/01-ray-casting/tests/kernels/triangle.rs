@@ -288,6 +288,24 @@ fn a_tilted_wall_is_met_from_a_few_floats_before_it() {
     assert_eq!(hit, None, "{back:?} leads away from the wall");
 }
 
+/// accuracy T13: a ray from one point of a triangle to another, but for roundings. It starts on one
+/// side and leads, by 5 u, to the other.
+#[test]
+fn a_ray_toward_a_point_of_the_same_plane_does_not_meet_it() {
+    let corners = [
+        [0x4348_2785, 0xb807_8376, 0xb4b1_2274],
+        [0x377a_f24a, 0x4814_1e32, 0x49af_6a45],
+        [0xca59_73fb, 0x37e7_8dee, 0xb523_b807],
+    ];
+    let origin = bits([0xc92a_6851, 0x4636_8046, 0x47d8_228a]);
+    let ray = Ray {
+        extent: Interval::new(0.0, 706_803.4),
+        ..Ray::new(origin, bits([0x3f7c_ceb9, 0xbc87_5fdb, 0xbe20_52ba]))
+    };
+    let hit = intersect(&ray, &corners.map(bits));
+    assert_eq!(hit, None, "{ray:?}");
+}
+
 /// A vector from the bits of its components.
 fn bits(v: [u32; 3]) -> Vec3 {
     Vec3::from_array(v.map(f32::from_bits))
