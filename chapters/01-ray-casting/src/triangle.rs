@@ -141,9 +141,10 @@ pub fn decide(
     if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {
         return None;
     }
-    let det = u + v + w;
+    // Exchanging v and w, as reversing the winding does, changes no bit of these sums.
+    let det = u + (v + w);
     let inverse = 1.0 / det;
-    let z = (u * a[2] + v * b[2] + w * c[2]) * inverse;
+    let z = (u * a[2] + (v * b[2] + w * c[2])) * inverse;
     let mut t = (z * ray.inverse_z) as f32;
     let in_reach = t <= ray.ray.extent.max && t < f32::INFINITY;
     if !in_reach {
