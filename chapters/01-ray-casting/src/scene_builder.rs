@@ -25,6 +25,7 @@ pub(crate) struct SceneBuilder {
     /// Radiance of each material, black if it does not shine.
     emitted: Vec<Rgb>,
     lights: Vec<PointLight>,
+    notices: Vec<String>,
 }
 
 impl SceneBuilder {
@@ -32,6 +33,7 @@ impl SceneBuilder {
     pub(crate) fn from_file(file: SceneFile) -> Result<Scene, SceneError> {
         let mut builder = Self {
             emitted: file.materials.iter().map(|m| Rgb::from_array(m.ke)).collect(),
+            notices: file.notices,
             ..Self::default()
         };
         for light in &file.point_lights {
@@ -59,7 +61,7 @@ impl SceneBuilder {
             lights: builder.lights,
             ambient: Rgb::from_array(file.ambient),
             background: Rgb::from_array(file.background),
-            notices: file.notices,
+            notices: builder.notices,
         })
     }
 
@@ -104,12 +106,26 @@ impl SceneBuilder {
     }
 
     /// Adds the mesh's triangles; those that shine are put together by material, each group a lamp.
+    ///
+    /// Where coordinates are coarse, rounding may have put three corners on a line. Such a triangle
+    /// has no normal, and is dropped.
     fn add_triangles(&mut self, mesh: &MeshRecord, first_vertex: u32) {
         let material = |i: usize| match mesh.materials[..] {
             [only] => only,
             _ => mesh.materials[i],
         };
-        let mut order: Vec<u32> = (0..mesh.triangles.len() as u32).collect();
+        let has_area = |i: &u32| {
+            let corners = mesh.triangles[*i as usize].map(|vertex| first_vertex + vertex);
+            let [a, b, c] = corners.map(|v| self.geometry.vertices[v as usize].as_dvec3());
+            (b - a).cross(c - a) != DVec3::ZERO
+        };
+        let mut order: Vec<u32> = (0..mesh.triangles.len() as u32).filter(has_area).collect();
+        let lost = mesh.triangles.len() - order.len();
+        if lost > 0 {
+            let path = mesh.path.display();
+            let notice = "triangles lost their area where they were moved to, and were dropped";
+            self.notices.push(format!("`{path}`: {lost} {notice}"));
+        }
         order.sort_by_key(|&i| {
             let material = material(i as usize);
             if self.emitted[material as usize] == Rgb::ZERO { None } else { Some(material) }

@@ -1,6 +1,8 @@
 //! Meshes are scaled, turned and moved, in this order.
 
 use glam::{Vec3, vec3};
+use ray_casting::{Intersect, Interval, LinearSearch, Ray};
+use workbench::Unwatched;
 
 use crate::tools::{scene_with_mesh, surface};
 
@@ -75,4 +77,39 @@ fn without_normals_the_geometric_one_shades() {
     let inside = surface(&scene, vec3(5.0, 0.0, 0.0), Vec3::NEG_Z);
     assert_eq!(scene.shading_normal(&inside), Vec3::Z, "inside the sphere");
     assert_eq!(inside.geometric_normal, Vec3::NEG_Z, "the sphere's front is the outside");
+}
+
+/// accuracy T5: three corners on a line could be hit by roundings alone, and have no normal. They are
+/// not let into a scene, be they so in the file or after they were moved. The numbers are those of
+/// pbrt-v4, `src/pbrt/shapes_test.cpp`, test `Triangle, BadCases`.
+#[test]
+fn a_triangle_without_area_is_dropped() {
+    let bad = "v -1113.45459 -79.049614 -56.2431908\nv -1113.45459 -87.0922699 -56.2431908\n\
+               v -1113.45459 -79.2090149 -56.2431908\nf 1 2 3\n";
+    let scene = scene_with_mesh(MESH, &format!("{bad}v 0 0 0\nv 1 0 0\nv 0 1 0\nf 4 5 6\n"));
+    assert_eq!(scene.geometry.triangles, [[3, 4, 5]], "what is left");
+    let ray = Ray {
+        extent: Interval::new(0.0, 0.9999),
+        ..Ray::new(
+            vec3(-1_081.479_2, 99.999_954, 87.770_11),
+            vec3(-32.107_3, -183.355_87, -144.607_64),
+        )
+    };
+    let hit = LinearSearch::new(&scene.geometry, &Unwatched).intersect(&ray);
+    assert_eq!(hit, None, "{ray:?}");
+}
+
+/// At 2²⁰ the next float is 1/8 away: the middle corner of the first triangle ends up on the line
+/// between the others. It was a lamp, with another triangle that has kept its area.
+#[test]
+fn a_triangle_that_loses_its_area_on_its_way_is_dropped() {
+    let obj = "v 0 0 0\nv 0.01 1 0\nv 0 2 0\nv 1 0 0\nf 1 2 3\nf 1 4 3\n";
+    let mesh = "[[mesh]]\nfile = 'a.obj'\nmaterial = 'lamp'\ntranslate = [1048576, 0, 0]\n";
+    let scene = scene_with_mesh(mesh, obj);
+    assert_eq!(scene.geometry.triangles, [[0, 3, 2]], "what is left");
+    assert_eq!((scene.attributes.materials.len(), scene.lights.len()), (1, 1), "its companions");
+    let light = &scene.lights[0];
+    assert!(light.position.is_finite() && light.lamp == (0..1), "the lamp: {light:?}");
+    let notice = scene.notices.concat();
+    assert!(notice.contains("1 triangles lost their area"), "{notice:?}");
 }
