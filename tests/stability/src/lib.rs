@@ -23,7 +23,9 @@
 
 pub mod bits;
 pub mod case;
+pub mod exact;
 pub mod laboratory;
+pub mod meshes;
 pub mod random;
 pub mod report;
 pub mod scenes;
