@@ -123,6 +123,7 @@ fn split_by_area(whole: &Aabb, items: &mut [Item]) -> Option<Split> {
     let bins = binning.fill(items);
     let best = best_plane(&bins);
     let Some(plane) = best else { return split_at_median(items) };
+    // Areas may overflow: a cost of ∞ / ∞ is no reason for a leaf.
     let split_cost = 1.0 + LEAF_COST * plane.cost / whole.surface_area();
     if n <= LEAF && split_cost >= LEAF_COST {
         return None;

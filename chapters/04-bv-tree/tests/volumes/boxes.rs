@@ -1,7 +1,7 @@
 //! Axis-aligned boxes, case by case. They are widened on purpose, by a millionth of their reach:
 //! the intervals contain the exact ones, and not much more.
 
-use bv_tree::Aabb;
+use bv_tree::{Aabb, BoundingVolume};
 use glam::{Vec3, vec3};
 use ray_casting::{Interval, Ray};
 use workbench::Sampler;
@@ -109,6 +109,22 @@ fn very_small_and_very_large_boxes_are_met() {
             }
         }
     }
+}
+
+/// accuracy V6: a flat box from one end of the numbers to the other has an area, and one of ∞, not of
+/// 0 · ∞.
+#[test]
+fn the_area_of_the_largest_boxes_is_a_number() {
+    let area = |max: Vec3| Aabb { min: -max, max }.surface_area();
+    for (max, expected) in [
+        (vec3(0.0, f32::MAX, f32::MAX), f32::INFINITY),
+        (vec3(f32::MAX, 0.0, 0.0), 0.0),
+        (vec3(f32::MAX, 0.0, f32::MIN_POSITIVE), 8.0 * (f32::MAX * f32::MIN_POSITIVE)),
+        (Vec3::ONE, 24.0),
+    ] {
+        assert_eq!(area(max), expected, "a box to ±{max}");
+    }
+    assert_eq!(Aabb::EMPTY.surface_area(), 0.0, "the area of nothing");
 }
 
 /// accuracy B9, B15: rays aimed at points of boxes, over twelve orders of magnitude.
