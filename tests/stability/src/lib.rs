@@ -34,6 +34,7 @@ pub mod trial;
 pub mod aabb;
 pub mod agreement;
 pub mod camera;
+pub mod closed;
 pub mod estimators;
 pub mod k_dop;
 pub mod obb;
@@ -45,6 +46,7 @@ pub mod shading;
 pub mod sphere;
 pub mod tree;
 pub mod triangle;
+pub mod volumes;
 
 pub use case::{Case, Check};
 pub use random::Random;
