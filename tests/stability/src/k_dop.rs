@@ -14,10 +14,10 @@ crate::catalogue! {
     K2 random/4 polytopes_lie_in_those_of_fewer_directions;
     K3 elsewhere "chapters/04-bv-tree/tests/volumes/polytopes.rs"
         a_ray_along_an_oblique_face_is_inside;
-    K4 random/8 no_ray_to_a_point_inside_misses_a_polytope;
+    K4 random/16 no_ray_to_a_point_inside_misses_a_polytope;
     K5 elsewhere "chapters/04-bv-tree/tests/volumes/polytopes.rs"
         more_faces_are_met_in_vain_less_often;
-    K6 random/8 what_encloses_both_is_met_where_either_is;
+    K6 random/32 what_encloses_both_is_met_where_either_is;
 }
 
 /// Rays for each content.

@@ -20,14 +20,14 @@ crate::catalogue! {
     V1 random/64 a_tree_finds_what_a_search_through_everything_finds;
     V2 random/64 a_tree_over_next_to_nothing_works;
     V3 elsewhere "chapters/04-bv-tree/tests/trees/shapes.rs" identical_triangles_make_a_shallow_tree;
-    V4 random/64 equal_and_collinear_centres_make_no_deep_tree;
+    V4 random/128 equal_and_collinear_centres_make_no_deep_tree;
     V5 random/1000 a_bad_triangle_among_ten_thousand_harms_no_other;
     V6 random/64 boxes_without_end_make_a_tree;
     V7 random/64 splits_that_are_equally_good_lose_nothing;
     V8 elsewhere "chapters/04-bv-tree/tests/trees/shapes.rs" unequal_distances_make_no_deep_tree;
-    V9 random/32 no_ray_leaves_a_closed_mesh_through_any_volume;
+    V9 random/128 no_ray_leaves_a_closed_mesh_through_any_volume;
     V10 random/64 something_is_hit_if_and_only_if_something_is_nearest;
-    V11 random/64 a_hit_at_the_very_end_of_the_extent_counts;
+    V11 random/256 a_hit_at_the_very_end_of_the_extent_counts;
     V12 random/64 no_ray_tests_more_than_there_is;
     V13 elsewhere "chapters/04-bv-tree/tests/trees/counts.rs"
         a_ray_that_is_not_finite_tests_nothing;
@@ -146,17 +146,7 @@ fn equal_and_collinear_centres_make_no_deep_tree(trial: &mut Trial) {
         let random = &mut trial.random;
         let n = 2 + random.below(199);
         let is_concentric = random.below(2) == 0;
-        let way = random.direction();
-        let corners: Vec<[Vec3; 3]> = (0..n)
-            .map(|_| {
-                let far = if is_concentric { 0.0 } else { random.magnitude(-18.0, 18.0) };
-                let a = random.magnitude(-3.0, 3.0) * random.direction();
-                let b = a * random.in_cube();
-                // a and −a are opposite corners of the box, b lies within.
-                [a, -a, b].map(|p| (far * way).as_vec3() + p.as_vec3())
-            })
-            .collect();
-        let geometry = triangles(&corners);
+        let geometry = aligned(n, is_concentric, random);
         let tree = some_tree(&geometry, random);
         let limit = if is_concentric { n.ilog2() as usize + 2 } else { DEEPEST };
         trial.require(tree.shape.depth <= limit, || {
@@ -167,6 +157,19 @@ fn equal_and_collinear_centres_make_no_deep_tree(trial: &mut Trial) {
             compare(trial, &geometry, &tree, &ray);
         }
     }
+}
+
+/// Triangles of any size whose boxes have their middles at the origin, or else anywhere on a line.
+fn aligned(n: u64, is_concentric: bool, random: &mut Random) -> Geometry {
+    let way = random.direction();
+    let triangle = |random: &mut Random| {
+        let far = if is_concentric { 0.0 } else { random.magnitude(-18.0, 18.0) };
+        let a = random.magnitude(-3.0, 3.0) * random.direction();
+        let b = a * random.in_cube();
+        // a and −a are opposite corners of the box, b lies within.
+        [a, -a, b].map(|p| (far * way).as_vec3() + p.as_vec3())
+    };
+    triangles(&(0..n).map(|_| triangle(random)).collect::<Vec<_>>())
 }
 
 /// One coordinate of one of 10⁴ triangles is NaN or ∞: the tree finds what linear search finds in the
@@ -242,35 +245,17 @@ fn endless(end: f32, geometry: &mut Geometry, random: &mut Random) {
 fn splits_that_are_equally_good_lose_nothing(trial: &mut Trial) {
     for _ in 0..trial.rays.div_ceil(PER_TREE) {
         let random = &mut trial.random;
-        let copies = 1 + random.below(12);
         let axes = [[0, 1, 2], [1, 2, 0], [2, 0, 1]][random.below(3) as usize];
-        let place = |i: u64| {
-            let mut center = Vec3::ZERO;
-            center[axes[0]] = if i & 1 == 0 { -2.0 } else { 2.0 };
-            center[axes[1]] = if i & 2 == 0 { -2.0 } else { 2.0 };
-            center
+        let order = shuffled(4 * (1 + random.below(12)), random);
+        let triangle = |&i: &u64| {
+            [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0)].map(|(x, y)| on_square(i, [x, y, 0.0], axes))
         };
-        let corner = |center: Vec3, x: f32, y: f32| {
-            let mut corner = center;
-            (corner[axes[0]], corner[axes[1]]) = (center[axes[0]] + x, center[axes[1]] + y);
-            corner
-        };
-        let mut order: Vec<u64> = (0..4 * copies).map(|i| i % 4).collect();
-        for i in (1..order.len()).rev() {
-            order.swap(i, random.below(i as u64 + 1) as usize);
-        }
-        let corners: Vec<[Vec3; 3]> = order
-            .iter()
-            .map(|&i| [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0)].map(|(x, y)| corner(place(i), x, y)))
-            .collect();
-        let geometry = triangles(&corners);
+        let geometry = triangles(&order.iter().map(triangle).collect::<Vec<_>>());
         let tree = some_tree(&geometry, random);
+        let mut down = Vec3::ZERO;
+        down[axes[2]] = -1.0;
         for i in 0..4 {
-            let mut origin = corner(place(i), 0.25, -0.25);
-            origin[axes[2]] = 3.0;
-            let mut direction = Vec3::ZERO;
-            direction[axes[2]] = -1.0;
-            let ray = Ray::new(origin, direction);
+            let ray = Ray::new(on_square(i, [0.25, -0.25, 3.0], axes), down);
             let first = order.iter().position(|&place| place == i).map(|name| name as u32);
             let found = tree.search.intersect(&ray).map(|hit| hit.primitive);
             trial.require(found == first, || {
@@ -282,6 +267,25 @@ fn splits_that_are_equally_good_lose_nothing(trial: &mut Trial) {
             compare(trial, &geometry, &tree, &ray);
         }
     }
+}
+
+/// 0, 1, 2, 3, again and again, `count` of them, in any order.
+fn shuffled(count: u64, random: &mut Random) -> Vec<u64> {
+    let mut order: Vec<u64> = (0..count).map(|i| i % 4).collect();
+    for i in (1..order.len()).rev() {
+        order.swap(i, random.below(i as u64 + 1) as usize);
+    }
+    order
+}
+
+/// A point beside the corner `i` of a square of side 4 in the plane of the first two `axes`.
+fn on_square(i: u64, beside: [f32; 3], axes: [usize; 3]) -> Vec3 {
+    let corner = [i & 1, i & 2].map(|bit| if bit == 0 { -2.0 } else { 2.0 });
+    let mut point = Vec3::ZERO;
+    point[axes[0]] = corner[0] + beside[0];
+    point[axes[1]] = corner[1] + beside[1];
+    point[axes[2]] = beside[2];
+    point
 }
 
 /// Rays from the heart of a closed mesh, where each has but one triangle to hit, near the origin and at
