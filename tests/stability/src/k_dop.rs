@@ -132,11 +132,12 @@ fn merged<V: BoundingVolume>(trial: &mut Trial, first: &Geometry, second: &Geome
         trial.require(union == whole.bounds && neutral == own.bounds, || {
             format!("{:?} and {:?}", own.bounds, whole.bounds)
         });
+        let far = size(&own.bounds);
         // Seen with the reach of the whole, as in a tree.
         let own = Enclosed::new(own.volume, whole.bounds);
         let nothing = Enclosed::new(V::EMPTY, whole.bounds);
         for _ in 0..PER_CONTENT / 2 {
-            let ray = aimed(part, size(&whole.bounds), &mut trial.random).ray;
+            let ray = aimed(part, far, &mut trial.random).ray;
             let [inner, outer] = [own.clip(&ray), whole.clip(&ray)];
             let holds = lies_in(inner, outer) && nothing_is_met(&nothing, &ray);
             trial.require(holds, || {

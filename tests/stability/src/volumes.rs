@@ -62,7 +62,8 @@ impl<V: BoundingVolume> Enclosed<V> {
 #[must_use]
 pub fn content(random: &mut Random) -> Geometry {
     let count = 1 + random.below(4);
-    let scale = random.magnitude(-6.0, 6.0);
+    let decades = if random.below(8) == 0 { [-44.0, 30.0] } else { [-6.0, 6.0] };
+    let scale = random.magnitude(decades[0], decades[1]);
     cluster(count, scale, random)
 }
 
@@ -142,7 +143,8 @@ pub fn aimed(geometry: &Geometry, size: f64, random: &mut Random) -> Aimed {
     if random.below(2) == 0 {
         ray = toward(origin, target.as_vec3()).unwrap_or(ray);
     }
-    if random.below(4) == 0 {
+    // Of long directions the smallest t is a long way: content must not be smaller than that.
+    if random.below(4) == 0 && size > 1e-30 {
         ray.direction *= random.magnitude(-3.0, 3.0) as f32;
     }
     if random.below(8) == 0 {
