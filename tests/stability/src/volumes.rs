@@ -121,8 +121,8 @@ pub struct Aimed {
 }
 
 /// A ray for `geometry`: to a corner, along an edge, through a face, to the outline of a sphere, or to
-/// a point between two of those; along an axis, a diagonal, nearly along them, or anyhow; from close
-/// by or from afar; of any length; with the near end of its extent at 0 or about the target.
+/// a point between two of those; along an axis, a diagonal, nearly along them, within a face, or anyhow;
+/// from close by or from afar; of any length; with the near end of its extent at 0 or about the target.
 #[must_use]
 pub fn aimed(geometry: &Geometry, size: f64, random: &mut Random) -> Aimed {
     let mut target = point_of(geometry, random);
@@ -135,6 +135,7 @@ pub fn aimed(geometry: &Geometry, size: f64, random: &mut Random) -> Aimed {
         1 => way[random.below(3) as usize] *= random.magnitude(-45.0, -5.0),
         2 => way[random.below(3) as usize] = 0.0_f64.copysign(way.x),
         3 => way = way.signum() * [DVec3::ONE, DVec3::new(1.0, 1.0, 0.0)][random.below(2) as usize],
+        4 => way = (point_of(geometry, random) - target).normalize_or(way),
         _ => {}
     }
     let away = size * random.magnitude(-3.0, 4.0);
