@@ -5,7 +5,7 @@ use glam::{Vec3, vec3};
 use ray_casting::{Geometry, Intersect, Interval, Ray};
 use workbench::{Counter, Recorder};
 
-use crate::tools::{BUILDERS, rays, soup, tests};
+use crate::tools::{BUILDERS, rays, soup, tests, triangles};
 
 fn check_outside<V: BoundingVolume>(name: &str, geometry: &Geometry) {
     let ray = Ray::new(vec3(0.0, 0.0, 5.0), Vec3::X);
@@ -78,6 +78,33 @@ fn the_surface_area_heuristic_saves_tests() {
     assert!(sah < median, "{sah} tests by area, {median} by count");
     let all = 2 * 2000 * 4000;
     assert!(sah * 20 < all, "{sah} tests instead of {all}");
+}
+
+/// Near children first: of a thousand sheets, one behind the other, the nearest is found on the way
+/// to one leaf, from either end. Far children first, every node is opened: more than 1000 tests.
+#[test]
+fn near_children_first_save_tests() {
+    let sheets = 1000;
+    let geometry = triangles((0..sheets).map(|i| {
+        let z = i as f32;
+        [vec3(-1.0, -1.0, z), vec3(1.0, -1.0, z), vec3(0.0, 1.0, z)]
+    }));
+    let (first, last) = (0, sheets - 1);
+    for (ray, nearest) in [
+        (Ray::new(vec3(0.0, 0.0, -1.0), Vec3::Z), first),
+        (Ray::new(vec3(0.0, 0.0, sheets as f32), Vec3::NEG_Z), last),
+    ] {
+        for builder in BUILDERS {
+            let recorder = Recorder::new();
+            let tree = BvTree::<Aabb, _>::build(&geometry, builder, &recorder);
+            let hit = tree.intersect(&ray).map(|hit| hit.primitive);
+            assert_eq!(hit, Some(nearest), "{builder:?}: {ray:?}");
+            let tests = [Counter::VolumeTests, Counter::PrimitiveTests].map(|c| recorder.get(c));
+            // Five levels of four children reach 4⁵ leaves, and a leaf has four primitives at most.
+            let enough = tests[0] <= 24 && tests[1] <= 8;
+            assert!(enough, "{builder:?}: volumes and primitives tested: {tests:?}");
+        }
+    }
 }
 
 /// A shadow ray stops at the first hit: it never tests more than the search for the nearest.

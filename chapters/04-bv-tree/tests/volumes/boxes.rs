@@ -1,9 +1,9 @@
 //! Axis-aligned boxes, case by case. They are widened on purpose, by a millionth of their reach:
 //! the intervals contain the exact ones, and not much more.
 
-use bv_tree::{Aabb, BoundingVolume};
+use bv_tree::{Aabb, BoundingVolume, Item};
 use glam::{Vec3, vec3};
-use ray_casting::{Interval, Ray};
+use ray_casting::{Geometry, Interval, Ray, Sphere};
 use workbench::Sampler;
 
 use crate::tools::{Enclosed, boxed, exact_clip, in_cube, magnitude, toward};
@@ -189,5 +189,25 @@ fn a_ray_that_is_not_finite_gives_no_nan() {
             let got = clip(&volume, origin, direction);
             assert!(!got.min.is_nan() && !got.max.is_nan(), "{origin}, {direction}: {got:?}");
         }
+    }
+}
+
+/// The box of a sphere is rounded outward: the sphere's ends, computed in double precision, lie
+/// within. It is larger by two floats on each side at most.
+#[test]
+fn a_sphere_lies_within_its_box() {
+    for i in 0..20_000 {
+        let mut sampler = Sampler::new(31, i, 0);
+        let center = magnitude(&mut sampler, 3.0) * in_cube(&mut sampler);
+        let radius = magnitude(&mut sampler, 3.0);
+        let geometry = Geometry { spheres: vec![Sphere { center, radius }], ..Geometry::default() };
+        let Aabb { min, max } = Item::all(&geometry)[0].bounds;
+        let [min, max, c] = [min, max, center].map(|v| v.as_dvec3());
+        let r = f64::from(radius);
+        let within = min.cmple(c - r).all() && max.cmpge(c + r).all();
+        assert!(within, "{min} to {max} does not hold the sphere of {radius} around {center}");
+        let excess = (max - min - 2.0 * r).max_element();
+        let size = r + c.abs().max_element();
+        assert!(excess <= 4.0 * f64::from(f32::EPSILON) * size, "{excess:e} of {size} in vain");
     }
 }
