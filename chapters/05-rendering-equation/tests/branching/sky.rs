@@ -91,6 +91,29 @@ fn a_lamp_that_fills_the_view_is_as_bright_from_anywhere() {
     }
 }
 
+/// Emission leaves the front only: seen from above, where its corners run counter-clockwise, the lamp
+/// shines, and from below it does not; what is below gets no light of it either.
+#[test]
+fn a_lamp_is_dark_from_behind() {
+    let lamp = [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0]];
+    let floor = lamp.map(|[x, _, z]| [x, -1.0, z]);
+    let records = matte("lamp", 0.0, 2.5)
+        + &matte("floor", 1.0, 0.0)
+        + &quad(lamp, "lamp")
+        + &quad(floor, "floor");
+    let scene = scene([0.0; 3], 0.0, &records);
+    for (from, direction, expected) in [
+        (Vec3::Y, Vec3::NEG_Y, 2.5),
+        (Vec3::new(0.0, -0.5, 0.0), Vec3::Y, 0.0),
+        (Vec3::new(0.0, -0.5, 0.0), Vec3::NEG_Y, 0.0),
+    ] {
+        let options = branching(4, 1, Density::Cosine);
+        let moments = found(&scene, options, 100, |_| Ray::new(from, direction));
+        let [mean, variance] = [moments.mean(), moments.variance()];
+        assert!(mean == expected && variance == 0.0, "from {from} along {direction}: {mean}");
+    }
+}
+
 /// accuracy.md E16: the variance of a mean is what its samples say, over 64 renders.
 #[test]
 fn the_means_of_renders_spread_as_their_samples_do() {
