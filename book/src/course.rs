@@ -12,7 +12,7 @@ use light_sampling::{Estimator, LightTracer};
 use mirror_refraction::{Limits, RayTracer};
 use path_tracing::{Ending, PathTracer, Roulette};
 use ray_casting::{LinearSearch, RayCaster, Rgb, Scene, Show};
-use rendering_equation::{Branching, Density, DistributedTracer};
+use rendering_equation::{Branching, Density, DistributedTracer, Opaque};
 use workbench::{FilmPoint, FilmSettings, Image, Sampler, Unwatched, expose};
 
 use crate::figures::{self, light_sampling::stage::settings};
@@ -41,12 +41,12 @@ pub fn make(root: &Path) -> Result<()> {
     let caster = RayCaster::new(scene, linear, &Unwatched, Show::Facing);
     let shader = Shader::new(scene, &[], linear, &Unwatched, Terms::All);
     let branching = Branching { directions: 2, depth: 4, density: Density::Cosine };
-    let distributed: DistributedTracer<'_, _, _, false> =
+    let distributed: DistributedTracer<'_, _, _, Opaque> =
         DistributedTracer::new(scene, &[], tree, &Unwatched, branching);
     let ending = Ending { depth: u32::MAX, roulette: Roulette::Throughput };
-    let paths: PathTracer<'_, _, _, false> =
+    let paths: PathTracer<'_, _, _, Opaque> =
         PathTracer::new(scene, &[], tree, &Unwatched, Density::Cosine, ending);
-    let lights: LightTracer<'_, _, _, false> =
+    let lights: LightTracer<'_, _, _, Opaque> =
         LightTracer::new(scene, &[], tree, &Unwatched, settings(Estimator::Mis));
 
     let limits = Limits::new(Some(8), Limits::CUTOFF);

@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use bv_tree::{Aabb, Builder, BvTree};
-use rendering_equation::{Density, DistributedTracer};
+use rendering_equation::{Density, DistributedTracer, Opaque};
 use workbench::{FilmSettings, Unwatched, expose};
 
 use super::Measurement;
@@ -32,7 +32,7 @@ fn times() -> [f64; CURVES.len()] {
         let samples = (64 / directions.pow(2)).max(1);
         let film = FilmSettings { size: SIZE, samples, seed, threads: Some(1) };
         let branching = branching(directions, DEPTH, Density::Cosine);
-        let tracer: DistributedTracer<'_, _, _, false> =
+        let tracer: DistributedTracer<'_, _, _, Opaque> =
             DistributedTracer::new(&scene, &[], &tree, &Unwatched, branching);
         let start = Instant::now();
         black_box(expose(&film, |point, sampler| {

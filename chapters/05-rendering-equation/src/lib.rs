@@ -21,6 +21,7 @@ mod radiance;
 mod scattered;
 mod search;
 mod stage;
+mod survey;
 
 pub use brdf::Brdf;
 pub use directions::Density;
@@ -32,3 +33,4 @@ pub use radiance::{Branching, DistributedTracer, remarks, simplifications};
 pub use scattered::Scattered;
 pub use search::{Job, Renderer, draw};
 pub use stage::{Extra, STAGE};
+pub use survey::{Anything, Code, Has, MatteOnly, Opaque, Survey};

@@ -1,5 +1,7 @@
 //! What this chapter knows of a material.
 
+use std::marker::PhantomData;
+
 use blinn_phong::Picture;
 use ray_casting::{Rgb, Scene, SurfacePoint};
 use workbench::{MaterialRecord, SurfaceKind};
@@ -7,6 +9,7 @@ use workbench::{MaterialRecord, SurfaceKind};
 use crate::brdf::Brdf;
 use crate::lambert::Lambert;
 use crate::lobe::Lobe;
+use crate::survey::{Anything, Has};
 
 /// The kinds of surface, each with what it reflects.
 #[derive(Clone, Copy, Debug)]
@@ -47,28 +50,39 @@ impl From<&MaterialRecord> for Material {
     }
 }
 
-/// All materials of a scene, ready to be asked about points of its surfaces.
-pub struct Materials<'a> {
+/// All materials of a scene, ready to be asked about points of its surfaces by code for `H`.
+pub struct Materials<'a, H = Anything> {
     scene: &'a Scene,
     pictures: &'a [Picture],
     materials: Vec<Material>,
     emitted: Vec<Rgb>,
+    has: PhantomData<H>,
 }
 
-impl<'a> Materials<'a> {
+impl<'a, H: Has> Materials<'a, H> {
     /// Reads the materials of `scene`, whose textures are `pictures`.
     #[must_use]
     pub fn new(scene: &'a Scene, pictures: &'a [Picture]) -> Self {
         let emitted = scene.materials.iter().map(|record| Rgb::from_array(record.ke)).collect();
         let materials = scene.materials.iter().map(Material::from).collect();
-        Self { scene, pictures, materials, emitted }
+        Self { scene, pictures, materials, emitted, has: PhantomData }
     }
 
-    /// What the surface is made of.
+    /// What the surface is made of, as far as code for `H` knows it: black where the scene was said
+    /// to have none of this kind.
     #[inline]
     #[must_use]
-    pub fn at(&self, surface: &SurfacePoint) -> &Material {
-        &self.materials[surface.material as usize]
+    pub fn at(&self, surface: &SurfacePoint) -> Material {
+        match self.materials[surface.material as usize] {
+            Material::Matte { kd, map_kd, lobe } => Material::Matte {
+                kd,
+                map_kd: map_kd.filter(|_| H::TEXTURES),
+                lobe: lobe.filter(|_| H::HIGHLIGHTS),
+            },
+            mirror @ Material::Mirror { .. } if H::MIRRORS => mirror,
+            Material::Glass if H::GLASS => Material::Glass,
+            _ => Material::Matte { kd: Rgb::ZERO, map_kd: None, lobe: None },
+        }
     }
 
     // ANCHOR: emitted

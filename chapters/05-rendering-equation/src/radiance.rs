@@ -7,6 +7,7 @@ use workbench::{Counter, Probe, Sampler};
 
 use crate::directions::Density;
 use crate::material::{Material, Materials};
+use crate::survey::Has;
 
 /// How many directions, how deep, and drawn how.
 #[derive(Clone, Copy, Debug)]
@@ -19,11 +20,10 @@ pub struct Branching {
     pub density: Density,
 }
 
-/// Distributed ray tracing, over whatever finds the hits. `GLASS`: whether the scene has any;
-/// without it, nothing that has to do with it is compiled in.
-pub struct DistributedTracer<'a, G, P, const GLASS: bool> {
+/// Distributed ray tracing, over whatever finds the hits. `H`: what scenes it is compiled for.
+pub struct DistributedTracer<'a, G, P, H> {
     scene: &'a Scene,
-    materials: Materials<'a>,
+    materials: Materials<'a, H>,
     geometry: &'a G,
     probe: &'a P,
     branching: Branching,
@@ -31,7 +31,7 @@ pub struct DistributedTracer<'a, G, P, const GLASS: bool> {
     at_eye: Media,
 }
 
-impl<'a, G: Intersect, P: Probe, const GLASS: bool> DistributedTracer<'a, G, P, GLASS> {
+impl<'a, G: Intersect, P: Probe, H: Has> DistributedTracer<'a, G, P, H> {
     /// A tracer for the surfaces that `geometry`, the searchable form of the scene's own, finds.
     pub fn new(
         scene: &'a Scene,
@@ -70,19 +70,20 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> DistributedTracer<'a, G, P, 
         for _ in 0..=self.boundaries.most_crossings() {
             let Some(hit) = self.geometry.intersect(&ray) else {
                 self.probe.tell(|| "the ray leaves the scene".to_owned());
-                return radiance + passed * self.scene.background;
+                let background = if H::SKY { self.scene.background } else { Rgb::ZERO };
+                return radiance + passed * background;
             };
             let mut surface = self.scene.surface(&ray, &hit);
-            if GLASS {
+            if H::GLASS {
                 surface = self.boundaries.opaque_contact(&ray, surface);
             }
             self.probe.tell(|| format!("hits {:?} at {}", surface.hit, surface.position));
             radiance += passed * self.materials.emitted(&surface);
-            let material = *self.materials.at(&surface);
+            let material = self.materials.at(&surface);
 
             // A boundary between equal indices is no event: straight on.
             let crossing = match material {
-                Material::Glass if GLASS => Some(self.boundaries.crossing(&ray, &surface, &media)),
+                Material::Glass => Some(self.boundaries.crossing(&ray, &surface, &media)),
                 _ => None,
             };
             if let Some(crossing) = crossing.filter(|crossing| crossing.eta == 1.0) {

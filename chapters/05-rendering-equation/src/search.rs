@@ -4,7 +4,9 @@ use blinn_phong::Picture;
 use bv_tree::{Aabb, Builder, BvTree, TINY};
 use clap::Args;
 use ray_casting::{Intersect, LinearSearch, Scene};
-use workbench::{Error, Film, Finished, Probe, Run, SurfaceKind, Unwatched};
+use workbench::{Error, Film, Finished, Probe, Run, Unwatched};
+
+use crate::survey::{Anything, Code, Has, MatteOnly, Opaque, Survey};
 
 /// A scene that is ready to be rendered.
 pub struct Job<'a, E: Args, P> {
@@ -20,16 +22,12 @@ pub struct Job<'a, E: Args, P> {
 
 /// A stage's options, which know how to render with them.
 ///
-/// `GLASS` says whether the scene has any. It and the kind of search are decided once a render, by
-/// type: what the scene does not need is not in the code that runs. With glass compiled in, a run on
-/// `cornell-box` executes 4.4 % more instructions in this chapter, 2.7 % in chapter 6 and 1.9 % in
-/// chapter 7. (Give the scene a material of glass that nothing is made of, and compare the two under
-/// `valgrind --tool=callgrind`: 32 × 32 pixels, 32 samples, one thread.)
-///
-/// Textures and the sky are no types, because there is nothing to gain. Where there is no texture,
-/// one comparison a hit remains, by the same measure at most 0.9 % (found by taking it out); of a
-/// black sky, a product for each ray that leaves the scene, at most 0.1 %.
+/// `H` says what scenes the code is for. It and the kind of search are decided once a render, by
+/// type: what the scene does not need is not in the code that runs. [`Code`] switches that off.
 pub trait Renderer: Args + Sized {
+    /// Which code the command line asks for.
+    fn code(&self) -> Code;
+
     /// What the stage wants said about the scene in the summary, one sentence each; or why it cannot
     /// render it.
     ///
@@ -41,7 +39,7 @@ pub trait Renderer: Args + Sized {
     ///
     /// # Errors
     /// When there is no memory for the picture.
-    fn render<G: Intersect, P: Probe, const GLASS: bool>(
+    fn render<G: Intersect, P: Probe, H: Has>(
         job: &Job<'_, Self, P>,
         geometry: &G,
     ) -> Result<Film, Error>;
@@ -73,13 +71,29 @@ fn watched<E: Renderer, P: Probe>(run: &Run<E>, probe: &P) -> Result<Finished, E
     run.save(&film)
 }
 
+/// Chooses the code with the least in it that can draw the scene.
 fn searched<E: Renderer, P: Probe, G: Intersect>(
     job: &Job<'_, E, P>,
     geometry: &G,
 ) -> Result<Film, Error> {
-    if job.scene.materials.iter().any(|material| material.surface == SurfaceKind::Glass) {
-        E::render::<G, P, true>(job, geometry)
+    let survey = Survey::of(job.scene);
+    if job.run.options.stage.code().for_any_scene {
+        render::<E, P, G, Anything>(job, geometry)
+    } else if survey.is_within::<MatteOnly>() {
+        render::<E, P, G, MatteOnly>(job, geometry)
+    } else if survey.is_within::<Opaque>() {
+        render::<E, P, G, Opaque>(job, geometry)
     } else {
-        E::render::<G, P, false>(job, geometry)
+        render::<E, P, G, Anything>(job, geometry)
     }
+}
+
+fn render<E: Renderer, P: Probe, G: Intersect, H: Has>(
+    job: &Job<'_, E, P>,
+    geometry: &G,
+) -> Result<Film, Error> {
+    if let Some(sentence) = H::LEFT_OUT {
+        job.run.note(sentence.to_owned());
+    }
+    E::render::<G, P, H>(job, geometry)
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use blinn_phong::Picture;
 use bv_tree::{Aabb, Builder, BvTree};
 use ray_casting::Scene;
-use rendering_equation::{Branching, Density, DistributedTracer};
+use rendering_equation::{Anything, Branching, Density, DistributedTracer};
 use workbench::{FilmSettings, Image, Unwatched, expose};
 
 const BRANCHING: Branching = Branching { directions: 2, depth: 4, density: Density::Cosine };
@@ -18,7 +18,7 @@ fn load(name: &str) -> Scene {
 fn picture(scene: &Scene, branching: Branching, size: [u32; 2], threads: Option<usize>) -> Image {
     let pictures = Picture::load_all(scene).unwrap_or_else(|e| panic!("{e}"));
     let tree = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
-    let tracer: DistributedTracer<'_, _, _, true> =
+    let tracer: DistributedTracer<'_, _, _, Anything> =
         DistributedTracer::new(scene, &pictures, &tree, &Unwatched, branching);
     let settings = FilmSettings { size, samples: 4, seed: 0, threads };
     expose(&settings, |point, s| tracer.incident_radiance(scene.camera.ray(point), s))

@@ -3,16 +3,15 @@
 use blinn_phong::Picture;
 use mirror_refraction::{Boundaries, Media, mirror_direction, split};
 use ray_casting::{Intersect, Ray, Rgb, Scene};
-use rendering_equation::{Density, Material, Materials};
+use rendering_equation::{Density, Has, Material, Materials};
 use workbench::{Counter, Probe, Sampler};
 
 use crate::roulette::Ending;
 
-/// Path tracing, over whatever finds the hits. `GLASS`: whether the scene has any; without it,
-/// nothing that has to do with it is compiled in.
-pub struct PathTracer<'a, G, P, const GLASS: bool> {
+/// Path tracing, over whatever finds the hits. `H`: what scenes it is compiled for.
+pub struct PathTracer<'a, G, P, H> {
     scene: &'a Scene,
-    materials: Materials<'a>,
+    materials: Materials<'a, H>,
     geometry: &'a G,
     probe: &'a P,
     density: Density,
@@ -22,7 +21,7 @@ pub struct PathTracer<'a, G, P, const GLASS: bool> {
     longest: u32,
 }
 
-impl<'a, G: Intersect, P: Probe, const GLASS: bool> PathTracer<'a, G, P, GLASS> {
+impl<'a, G: Intersect, P: Probe, H: Has> PathTracer<'a, G, P, H> {
     /// A tracer for the surfaces that `geometry`, the searchable form of the scene's own, finds.
     pub fn new(
         scene: &'a Scene,
@@ -62,20 +61,22 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> PathTracer<'a, G, P, GLASS> 
         for _ in 0..self.longest {
             let Some(hit) = self.geometry.intersect(&ray) else {
                 self.probe.tell(|| "the ray leaves the scene".to_owned());
-                radiance += throughput * self.scene.background;
+                if H::SKY {
+                    radiance += throughput * self.scene.background;
+                }
                 break;
             };
             let mut surface = self.scene.surface(&ray, &hit);
-            if GLASS {
+            if H::GLASS {
                 surface = self.boundaries.opaque_contact(&ray, surface);
             }
             self.probe.tell(|| format!("hits {:?} at {}", surface.hit, surface.position));
             radiance += throughput * self.materials.emitted(&surface);
-            let material = *self.materials.at(&surface);
+            let material = self.materials.at(&surface);
 
             // A boundary between equal indices is no event: straight on.
             let crossing = match material {
-                Material::Glass if GLASS => Some(self.boundaries.crossing(&ray, &surface, &media)),
+                Material::Glass => Some(self.boundaries.crossing(&ray, &surface, &media)),
                 _ => None,
             };
             if let Some(crossing) = crossing.filter(|crossing| crossing.eta == 1.0) {

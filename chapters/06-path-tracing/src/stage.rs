@@ -2,7 +2,7 @@
 
 use clap::Args;
 use ray_casting::{Intersect, Scene};
-use rendering_equation::{Density, Job, Renderer, simplifications};
+use rendering_equation::{Code, Density, Has, Job, Renderer, simplifications};
 use workbench::{Error, Film, Probe, Run, Stage};
 
 use crate::radiance::PathTracer;
@@ -27,6 +27,9 @@ pub struct Extra {
     /// How paths end
     #[command(flatten)]
     pub ends: Ends,
+    /// Which code runs
+    #[command(flatten)]
+    pub code: Code,
 }
 
 /// How paths end, as far as the command line says.
@@ -54,19 +57,23 @@ impl Ends {
 }
 
 impl Renderer for Extra {
+    fn code(&self) -> Code {
+        self.code
+    }
+
     fn remarks(run: &Run<Self>, scene: &Scene) -> Result<Vec<String>, Error> {
         run.options.stage.ends.ending(run.depth())?;
         Ok(simplifications(scene))
     }
 
-    fn render<G: Intersect, P: Probe, const GLASS: bool>(
+    fn render<G: Intersect, P: Probe, H: Has>(
         job: &Job<'_, Self, P>,
         geometry: &G,
     ) -> Result<Film, Error> {
         let Job { run, scene, pictures, probe } = *job;
-        let Self { density, ends } = run.options.stage;
+        let Self { density, ends, .. } = run.options.stage;
         let ending = ends.ending(run.depth())?;
-        let tracer: PathTracer<'_, G, P, GLASS> =
+        let tracer: PathTracer<'_, G, P, H> =
             PathTracer::new(scene, pictures, geometry, probe, density, ending);
         run.render(scene.exposure, probe, |film_point, sampler| {
             tracer.incident_radiance(scene.camera.ray(film_point), sampler)

@@ -6,7 +6,7 @@ use blinn_phong::Picture;
 use bv_tree::{Aabb, Builder, BvTree};
 use path_tracing::{Ending, PathTracer, Roulette};
 use ray_casting::Scene;
-use rendering_equation::Density;
+use rendering_equation::{Anything, Density};
 use workbench::{FilmSettings, Unwatched, expose};
 
 /// The scene as the stage draws it.
@@ -17,7 +17,7 @@ fn check(name: &str, size: [u32; 2], samples: u32) {
     let pictures = Picture::load_all(&scene).unwrap_or_else(|e| panic!("{e}"));
     let geometry = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
     let ending = Ending { depth: u32::MAX, roulette: Roulette::Throughput };
-    let tracer: PathTracer<'_, _, _, true> =
+    let tracer: PathTracer<'_, _, _, Anything> =
         PathTracer::new(&scene, &pictures, &geometry, &Unwatched, Density::Cosine, ending);
     let settings = FilmSettings { size, samples, seed: 0, threads: None };
     let image = expose(&settings, |point, s| tracer.incident_radiance(scene.camera.ray(point), s));

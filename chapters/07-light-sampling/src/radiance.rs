@@ -5,7 +5,7 @@ use glam::Vec3;
 use mirror_refraction::{Boundaries, Media, mirror_direction, split};
 use path_tracing::Ending;
 use ray_casting::{Intersect, Ray, Rgb, Scene, SurfacePoint};
-use rendering_equation::{Brdf, Density, Material, Materials};
+use rendering_equation::{Brdf, Density, Has, Material, Materials};
 use workbench::{Counter, Probe, Sampler};
 
 use crate::choice::Choice;
@@ -42,11 +42,10 @@ impl Settings {
     }
 }
 
-/// Path tracing with light sampling, over whatever finds the hits. `GLASS`: whether the scene has
-/// any; without it, nothing that has to do with it is compiled in.
-pub struct LightTracer<'a, G, P, const GLASS: bool> {
+/// Path tracing with light sampling, over whatever finds the hits. `H`: what scenes it is compiled for.
+pub struct LightTracer<'a, G, P, H> {
     scene: &'a Scene,
-    materials: Materials<'a>,
+    materials: Materials<'a, H>,
     lights: Lights,
     geometry: &'a G,
     probe: &'a P,
@@ -64,7 +63,7 @@ struct Scattering {
     pdf_solid_angle: f32,
 }
 
-impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS> {
+impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
     /// A tracer for the surfaces that `geometry`, the searchable form of the scene's own, finds.
     pub fn new(
         scene: &'a Scene,
@@ -106,14 +105,17 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS>
         for _ in 0..self.longest {
             let Some(hit) = self.geometry.intersect(&ray) else {
                 self.probe.tell(|| "the ray leaves the scene".to_owned());
-                let pdf = |last: &Scattering| {
-                    self.lights.pdf_of_sky(last.position, last.facing, ray.direction)
-                };
-                radiance += throughput * self.scene.background * self.weight_of_meeting(last, pdf);
+                if H::SKY {
+                    let pdf = |last: &Scattering| {
+                        self.lights.pdf_of_sky(last.position, last.facing, ray.direction)
+                    };
+                    let weight = self.weight_of_meeting(last, pdf);
+                    radiance += throughput * self.scene.background * weight;
+                }
                 break;
             };
             let mut surface = self.scene.surface(&ray, &hit);
-            if GLASS {
+            if H::GLASS {
                 surface = self.boundaries.opaque_contact(&ray, surface);
             }
             self.probe.tell(|| format!("hits {:?} at {}", surface.hit, surface.position));
@@ -124,11 +126,11 @@ impl<'a, G: Intersect, P: Probe, const GLASS: bool> LightTracer<'a, G, P, GLASS>
                 };
                 radiance += throughput * emitted * self.weight_of_meeting(last, pdf);
             }
-            let material = *self.materials.at(&surface);
+            let material = self.materials.at(&surface);
 
             // A boundary between equal indices is no event: straight on.
             let crossing = match material {
-                Material::Glass if GLASS => Some(self.boundaries.crossing(&ray, &surface, &media)),
+                Material::Glass => Some(self.boundaries.crossing(&ray, &surface, &media)),
                 _ => None,
             };
             if let Some(crossing) = crossing.filter(|crossing| crossing.eta == 1.0) {

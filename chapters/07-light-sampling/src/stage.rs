@@ -3,7 +3,7 @@
 use clap::Args;
 use path_tracing::Ends;
 use ray_casting::{Intersect, Scene};
-use rendering_equation::{Job, Renderer, remarks, simplifications};
+use rendering_equation::{Code, Has, Job, Renderer, remarks, simplifications};
 use workbench::{Error, Film, Probe, Run, Stage};
 
 use crate::choice::Choice;
@@ -39,9 +39,16 @@ pub struct Extra {
     /// How paths end
     #[command(flatten)]
     pub ends: Ends,
+    /// Which code runs
+    #[command(flatten)]
+    pub code: Code,
 }
 
 impl Renderer for Extra {
+    fn code(&self) -> Code {
+        self.code
+    }
+
     fn remarks(run: &Run<Self>, scene: &Scene) -> Result<Vec<String>, Error> {
         run.options.stage.ends.ending(run.depth())?;
         // Only who waits to meet the lamps does not find the point lights.
@@ -51,15 +58,15 @@ impl Renderer for Extra {
         })
     }
 
-    fn render<G: Intersect, P: Probe, const GLASS: bool>(
+    fn render<G: Intersect, P: Probe, H: Has>(
         job: &Job<'_, Self, P>,
         geometry: &G,
     ) -> Result<Film, Error> {
         let Job { run, scene, pictures, probe } = *job;
-        let Self { estimator, heuristic, choice, measure, ends } = run.options.stage;
+        let Self { estimator, heuristic, choice, measure, ends, .. } = run.options.stage;
         let ending = ends.ending(run.depth())?;
         let settings = Settings { estimator, heuristic, choice, measure, ending };
-        let tracer: LightTracer<'_, G, P, GLASS> =
+        let tracer: LightTracer<'_, G, P, H> =
             LightTracer::new(scene, pictures, geometry, probe, settings);
         run.render(scene.exposure, probe, |film_point, sampler| {
             tracer.incident_radiance(scene.camera.ray(film_point), sampler)

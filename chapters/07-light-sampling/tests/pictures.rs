@@ -7,6 +7,7 @@ use bv_tree::{Aabb, Builder, BvTree};
 use light_sampling::{Estimator, LightTracer, Settings};
 use path_tracing::{Ending, Roulette};
 use ray_casting::Scene;
+use rendering_equation::Anything;
 use workbench::{FilmSettings, Unwatched, expose};
 
 fn check(snapshot: &str, scene: &str, size: [u32; 2], estimator: Estimator) {
@@ -17,7 +18,7 @@ fn check(snapshot: &str, scene: &str, size: [u32; 2], estimator: Estimator) {
     let geometry = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
     let ending = Ending { depth: u32::MAX, roulette: Roulette::Throughput };
     let settings = Settings { estimator, ..Settings::new(ending) };
-    let tracer: LightTracer<'_, _, _, true> =
+    let tracer: LightTracer<'_, _, _, Anything> =
         LightTracer::new(&scene, &pictures, &geometry, &Unwatched, settings);
     let film = FilmSettings { size, samples: 16, seed: 0, threads: None };
     let image =

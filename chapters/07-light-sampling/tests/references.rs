@@ -16,6 +16,7 @@ use generator::Blob;
 use light_sampling::{Estimator, LightTracer, Settings};
 use path_tracing::{Ending, Roulette};
 use ray_casting::Scene;
+use rendering_equation::Anything;
 use statistics::{Agreement, Criterion, Noisy, PowerLaw, assert_images, compare_images, seed};
 use workbench::{Estimate, FilmSettings, Image, Unwatched, expose_estimate};
 
@@ -94,7 +95,7 @@ fn picture(scene: &Scene, estimator: Estimator, samples: u32, seed: u64) -> Esti
     let geometry = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
     let ending = Ending { depth: DEPTH, roulette: Roulette::Throughput };
     let settings = Settings { estimator, ..Settings::new(ending) };
-    let tracer: LightTracer<'_, _, _, true> =
+    let tracer: LightTracer<'_, _, _, Anything> =
         LightTracer::new(scene, &[], &geometry, &Unwatched, settings);
     let film = FilmSettings { size: SIZE, samples, seed, threads: None };
     expose_estimate(&film, |point, sampler| {

@@ -8,6 +8,7 @@ use bv_tree::{Aabb, Builder, BvTree};
 use light_sampling::{Choice, Estimator, Heuristic, LightTracer, Measure, Settings};
 use path_tracing::{Ending, Roulette};
 use ray_casting::Scene;
+use rendering_equation::Anything;
 use workbench::{FilmPoint, Sampler, Unwatched};
 
 use crate::random::Random;
@@ -84,7 +85,7 @@ fn no_path_brings_a_value_that_is_not_finite(trial: &mut Trial) {
     let settings = some_settings(&mut trial.random);
     let scene = &loaded.scene;
     let tree = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
-    let tracer: LightTracer<'_, _, _, true> =
+    let tracer: LightTracer<'_, _, _, Anything> =
         LightTracer::new(scene, &loaded.pictures, &tree, &Unwatched, settings);
     for _ in 0..trial.rays {
         let key = trial.random.bits();

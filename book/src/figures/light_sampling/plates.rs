@@ -72,8 +72,8 @@ fn integrals<G: Intersect>(
     let surface = scene.surface(&ray, &geometry.intersect(&ray)?);
     let name = &scene.materials[surface.material as usize].name;
     let plate = PLATES.iter().position(|plate| plate == name)?;
-    let materials = Materials::new(scene, &[]);
-    let Material::Matte { kd, map_kd, lobe } = *materials.at(&surface) else { return None };
+    let materials: Materials<'_> = Materials::new(scene, &[]);
+    let Material::Matte { kd, map_kd, lobe } = materials.at(&surface) else { return None };
     let brdf: Brdf = materials.brdf(&surface, kd, map_kd, lobe);
     let pdf = |wi| brdf.pdf(Density::Cosine, wi);
 

@@ -5,6 +5,7 @@ use bv_tree::{Aabb, Builder, BvTree};
 use light_sampling::{Choice, Estimator, LightTracer, Measure, Settings};
 use path_tracing::{Ending, Roulette};
 use ray_casting::Scene;
+use rendering_equation::Anything;
 use workbench::{Estimate, FilmSettings, Probe, Unwatched, expose_estimate};
 
 use crate::figures::{Drawing, scene_file};
@@ -40,7 +41,7 @@ pub(super) fn draw<P: Probe>(
 ) -> Estimate {
     let textures = Texture::load_all(scene).unwrap_or_else(|error| panic!("{error}"));
     let geometry = BvTree::<Aabb, P>::build(&scene.geometry, Builder::Sah, probe);
-    let tracer: LightTracer<'_, _, _, true> =
+    let tracer: LightTracer<'_, _, _, Anything> =
         LightTracer::new(scene, &textures, &geometry, probe, settings);
     expose_estimate(film, |point, sampler| {
         tracer.incident_radiance(scene.camera.ray(point), sampler)

@@ -3,7 +3,7 @@
 use bv_tree::{Aabb, Builder, BvTree};
 use path_tracing::PathTracer;
 use ray_casting::Scene;
-use rendering_equation::Density;
+use rendering_equation::{Anything, Density};
 use workbench::{Sampler, Unwatched};
 
 use super::stage::{ROULETTE, draw, scene, settings};
@@ -23,7 +23,7 @@ pub(super) fn picture() -> Drawing {
 /// What paths find that start toward the film point (x, y) of a picture of unit size, sorted.
 fn found(scene: &Scene, x: f32, y: f32, paths: u64) -> Vec<f64> {
     let geometry = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
-    let tracer: PathTracer<'_, _, _, true> =
+    let tracer: PathTracer<'_, _, _, Anything> =
         PathTracer::new(scene, &[], &geometry, &Unwatched, Density::Cosine, ROULETTE);
     let [width, height] = scene.exposure.size;
     let point =

@@ -2,7 +2,7 @@
 
 use path_tracing::{Ending, PathTracer, Roulette};
 use ray_casting::LinearSearch;
-use rendering_equation::Density;
+use rendering_equation::{Density, Opaque};
 use workbench::{Sampler, Unwatched};
 
 use super::rooms::{down, furnace};
@@ -32,7 +32,7 @@ fn lost(albedo: f32, depth: u32) -> f64 {
     let scene = furnace(albedo);
     let geometry = LinearSearch::new(&scene.geometry, &Unwatched);
     let cosine = Density::Cosine;
-    let tracer: PathTracer<'_, _, _, false> =
+    let tracer: PathTracer<'_, _, _, Opaque> =
         PathTracer::new(&scene, &[], &geometry, &Unwatched, cosine, limit(depth));
     let found = tracer.incident_radiance(down(), &mut Sampler::new(0, 0, 0)).x;
     1.0 - f64::from(found) * (1.0 - f64::from(albedo))

@@ -42,7 +42,7 @@ fn path<G: Intersect>(
         };
         let surface = scene.surface(&ray, &hit);
         radiance += throughput * materials.emitted(&surface);
-        let &Material::Matte { kd, map_kd, lobe } = materials.at(&surface) else { break };
+        let Material::Matte { kd, map_kd, lobe } = materials.at(&surface) else { break };
         let brdf = materials.brdf(&surface, kd, map_kd, lobe);
         let scattered = (!brdf.is_black()).then(|| brdf.sample(Density::Cosine, sampler)).flatten();
         let Some(scattered) = scattered else { return (radiance, events) };

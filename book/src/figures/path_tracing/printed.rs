@@ -1,7 +1,7 @@
 //! What the review's listings draw, as they are printed.
 
 use ray_casting::{LinearSearch, Rgb};
-use rendering_equation::Density;
+use rendering_equation::{Density, Opaque};
 use workbench::{Image, Sampler, Unwatched, expose};
 
 use super::as_printed::AsPrinted;
@@ -93,7 +93,7 @@ fn in_the_furnace(albedo: f32) -> [f32; 2] {
     let geometry = LinearSearch::new(&scene.geometry, &Unwatched);
     let review = AsPrinted::new(&scene, &geometry, Density::Cosine, 100);
     let ending = Ending { depth: 100, roulette: Roulette::Off };
-    let tracer: PathTracer<'_, _, _, false> =
+    let tracer: PathTracer<'_, _, _, Opaque> =
         PathTracer::new(&scene, &[], &geometry, &Unwatched, Density::Cosine, ending);
     let printed: Rgb = review.second(down(), 0, &mut Sampler::new(0, 0, 0));
     [printed.x, tracer.incident_radiance(down(), &mut Sampler::new(0, 0, 0)).x]

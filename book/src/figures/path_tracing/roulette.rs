@@ -2,7 +2,7 @@
 
 use path_tracing::{Ending, PathTracer, Roulette};
 use ray_casting::{LinearSearch, Rgb};
-use rendering_equation::Density;
+use rendering_equation::{Density, Opaque};
 use workbench::{Counter, Recorder, Sampler, Unwatched};
 
 use super::rooms::{down, furnace};
@@ -18,7 +18,7 @@ fn measured(albedo: f32, ending: Ending) -> [f64; 3] {
     let scene = furnace(albedo);
     let geometry = LinearSearch::new(&scene.geometry, &Unwatched);
     let recorder = Recorder::new();
-    let tracer: PathTracer<'_, _, _, false> =
+    let tracer: PathTracer<'_, _, _, Opaque> =
         PathTracer::new(&scene, &[], &geometry, &recorder, Density::Cosine, ending);
     let path = |i| f64::from(tracer.incident_radiance(down(), &mut Sampler::new(0, 0, i)).x);
     let values: Vec<f64> = (0..PATHS).map(path).collect();

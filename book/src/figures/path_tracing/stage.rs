@@ -4,7 +4,7 @@ use blinn_phong::Picture as Texture;
 use bv_tree::{Aabb, Builder, BvTree};
 use path_tracing::{Ending, PathTracer, Roulette};
 use ray_casting::Scene;
-use rendering_equation::Density;
+use rendering_equation::{Anything, Density};
 use workbench::{
     Counter, Estimate, FilmSettings, Image, Probe, Recorder, Unwatched, expose_estimate,
 };
@@ -34,7 +34,7 @@ pub(super) fn estimate<P: Probe>(
 ) -> Estimate {
     let textures = Texture::load_all(scene).unwrap_or_else(|error| panic!("{error}"));
     let geometry = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, probe);
-    let tracer: PathTracer<'_, _, _, true> =
+    let tracer: PathTracer<'_, _, _, Anything> =
         PathTracer::new(scene, &textures, &geometry, probe, Density::Cosine, ending);
     expose_estimate(settings, |point, s| tracer.incident_radiance(scene.camera.ray(point), s))
 }

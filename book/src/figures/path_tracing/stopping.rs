@@ -3,7 +3,7 @@
 use bv_tree::{Aabb, Builder, BvTree};
 use path_tracing::PathTracer;
 use ray_casting::Scene;
-use rendering_equation::Density;
+use rendering_equation::{Anything, Density};
 use workbench::{Estimate, FilmSettings, Image, Unwatched, expose_until};
 
 use super::rooms::closed_box;
@@ -15,7 +15,7 @@ use crate::table::{Table, count};
 /// The picture that `--error` renders.
 fn until(scene: &Scene, size: [u32; 2], error: f64, seed: u64) -> Estimate {
     let geometry = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
-    let tracer: PathTracer<'_, _, _, true> =
+    let tracer: PathTracer<'_, _, _, Anything> =
         PathTracer::new(scene, &[], &geometry, &Unwatched, Density::Cosine, ROULETTE);
     let settings = FilmSettings { seed, ..settings(size, u32::MAX) };
     expose_until(&settings, error, |point, s| tracer.incident_radiance(scene.camera.ray(point), s))

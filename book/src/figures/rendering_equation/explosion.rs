@@ -4,7 +4,7 @@ use bv_tree::{Aabb, Builder, BvTree};
 use light_sampling::{LightTracer, Settings};
 use path_tracing::{Ending, Roulette};
 use ray_casting::{LinearSearch, Scene};
-use rendering_equation::{Branching, Density, DistributedTracer};
+use rendering_equation::{Branching, Density, DistributedTracer, Opaque};
 use workbench::{Counter, FilmSettings, Image, Recorder, Sampler, Unwatched, expose};
 
 use super::scenes::{ahead, hollow};
@@ -20,7 +20,7 @@ fn rays(directions: u32, depth: u32) -> u64 {
     let recorder = Recorder::new();
     let geometry = LinearSearch::new(&scene.geometry, &recorder);
     let branching = branching(directions, depth, Density::Cosine);
-    let tracer: DistributedTracer<'_, _, _, false> =
+    let tracer: DistributedTracer<'_, _, _, Opaque> =
         DistributedTracer::new(&scene, &[], &geometry, &recorder, branching);
     tracer.incident_radiance(ahead(&scene), &mut Sampler::new(0, 0, 0));
     1 + recorder.get(Counter::ScatterRays)
@@ -71,7 +71,7 @@ pub(crate) const SIZE: [u32; 2] = [20, 20];
 pub(crate) fn reference(scene: &Scene, depth: u32) -> Image {
     let tree = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
     let ending = Ending { depth, roulette: Roulette::Off };
-    let tracer: LightTracer<'_, _, _, false> =
+    let tracer: LightTracer<'_, _, _, Opaque> =
         LightTracer::new(scene, &[], &tree, &Unwatched, Settings::new(ending));
     expose(&FilmSettings { size: SIZE, samples: 64, seed: 1, threads: None }, |point, sampler| {
         tracer.incident_radiance(scene.camera.ray(point), sampler)

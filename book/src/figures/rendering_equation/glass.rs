@@ -41,7 +41,7 @@ fn without<G: Intersect>(
     mut ray: Ray,
     sampler: &mut Sampler,
 ) -> Rgb {
-    let materials = Materials::new(scene, &[]);
+    let materials: Materials<'_> = Materials::new(scene, &[]);
     let mut media = Media::OUTSIDE;
     for _ in 0..64 {
         let Some(hit) = geometry.intersect(&ray) else { return scene.background };

@@ -80,7 +80,7 @@ fn direct(rule: &Rule, seen: &(dyn Fn(Vec3) -> f32 + Sync), film: &FilmSettings)
 }
 
 fn brdf(materials: &Materials<'_>, surface: &SurfacePoint) -> Option<Brdf> {
-    let &Material::Matte { kd, map_kd, lobe } = materials.at(surface) else { return None };
+    let Material::Matte { kd, map_kd, lobe } = materials.at(surface) else { return None };
     Some(materials.brdf(surface, kd, map_kd, lobe))
 }
 

@@ -203,7 +203,7 @@ fn path<G: Intersect>(
         let Some(hit) = geometry.intersect(&ray) else { break };
         let surface = scene.surface(&ray, &hit);
         radiance += throughput * materials.emitted(&surface);
-        let &Material::Matte { kd, map_kd, lobe } = materials.at(&surface) else { break };
+        let Material::Matte { kd, map_kd, lobe } = materials.at(&surface) else { break };
         let brdf = materials.brdf(&surface, kd, map_kd, lobe);
         let wi = around(brdf.normal).to_world(cosine_hemisphere(sampler.next_2d()));
         if brdf.is_black() || !brdf.is_above(wi) {

@@ -3,7 +3,7 @@
 use bv_tree::{Aabb, Builder, BvTree};
 use ray_casting::{LinearSearch, Scene};
 use rendering_equation::monte_carlo::integrate;
-use rendering_equation::{Density, DistributedTracer};
+use rendering_equation::{Density, DistributedTracer, Opaque};
 use workbench::{Sampler, Unwatched, expose};
 
 use super::scenes::{ahead, lamp_in_hollow};
@@ -48,7 +48,7 @@ fn listing(scene: &Scene, directions: u32, depth: u32, samples: u64) -> f64 {
 fn stage(scene: &Scene, depth: u32) -> f64 {
     let geometry = LinearSearch::new(&scene.geometry, &Unwatched);
     let branching = branching(1, depth, Density::Cosine);
-    let tracer: DistributedTracer<'_, _, _, false> =
+    let tracer: DistributedTracer<'_, _, _, Opaque> =
         DistributedTracer::new(scene, &[], &geometry, &Unwatched, branching);
     let value = |s: &mut Sampler| f64::from(tracer.incident_radiance(ahead(scene), s).x);
     integrate(SAMPLES, &mut Sampler::new(0, 0, 0), value, |_| 1.0, |v| v).mean

@@ -3,7 +3,7 @@
 use blinn_phong::Picture as Texture;
 use bv_tree::{Aabb, Builder, BvTree};
 use ray_casting::{Camera, Scene};
-use rendering_equation::{Branching, Density, DistributedTracer};
+use rendering_equation::{Anything, Branching, Density, DistributedTracer};
 use workbench::{CameraRecord, Estimate, FilmSettings, Image, Probe, Unwatched, expose_estimate};
 
 use crate::figures::path_tracing::rooms::closed_box;
@@ -33,7 +33,7 @@ pub(super) fn estimate<P: Probe>(
 ) -> Estimate {
     let textures = Texture::load_all(scene).unwrap_or_else(|error| panic!("{error}"));
     let geometry = BvTree::<Aabb, P>::build(&scene.geometry, Builder::Sah, probe);
-    let tracer: DistributedTracer<'_, _, _, true> =
+    let tracer: DistributedTracer<'_, _, _, Anything> =
         DistributedTracer::new(scene, &textures, &geometry, probe, branching);
     expose_estimate(settings, |point, s| tracer.incident_radiance(scene.camera.ray(point), s))
 }

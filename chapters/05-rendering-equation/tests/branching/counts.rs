@@ -3,7 +3,7 @@
 use crate::scenes::{block, branching, gather, matte, scene, sphere, with_tracer};
 use glam::Vec3;
 use ray_casting::{LinearSearch, Ray, Scene};
-use rendering_equation::{Density, DistributedTracer};
+use rendering_equation::{Anything, Density, DistributedTracer, Opaque};
 use statistics::assert_same_mean;
 use workbench::{Counter, Probe, Recorder, Sampler};
 
@@ -32,7 +32,7 @@ fn the_rays_of_a_closed_room_are_a_geometric_sum() {
     for (n, depth) in [(4, 5), (1, 5), (2, 8), (8, 3), (3, 0)] {
         let recorder = Recorder::new();
         let geometry = LinearSearch::new(&scene.geometry, &recorder);
-        let tracer: DistributedTracer<'_, _, _, false> = DistributedTracer::new(
+        let tracer: DistributedTracer<'_, _, _, Opaque> = DistributedTracer::new(
             &scene,
             &[],
             &geometry,
@@ -80,7 +80,7 @@ fn watching_changes_no_bit() {
     let plain =
         with_tracer(&scene, settings, |radiance| radiance(ray(), &mut Sampler::new(0, 0, 0)));
     let geometry = LinearSearch::new(&scene.geometry, &recorder);
-    let tracer: DistributedTracer<'_, _, _, true> =
+    let tracer: DistributedTracer<'_, _, _, Anything> =
         DistributedTracer::new(&scene, &[], &geometry, &recorder, settings);
     let watched = tracer.incident_radiance(ray(), &mut Sampler::new(0, 0, 0));
     assert_eq!(plain, watched, "with and without a recorder");

@@ -8,7 +8,7 @@ use glam::Vec3;
 use mirror_refraction::fresnel::fresnel;
 use ray_casting::{LinearSearch, Ray, Scene};
 use rendering_equation::directions::cosine_hemisphere;
-use rendering_equation::{Density, DistributedTracer};
+use rendering_equation::{Anything, Density, DistributedTracer, Opaque};
 use statistics::check_mean;
 use workbench::{FilmSettings, Sampler, SurfaceKind, Unwatched, expose};
 
@@ -122,16 +122,16 @@ fn scenes_without_glass_are_the_same_to_the_bit_with_and_without_it() {
         let linear = LinearSearch::new(&scene.geometry, probe);
         let settings = FilmSettings { size: [16, 12], samples: 2, seed: 0, threads: None };
         let options = branching(2, 3, Density::Cosine);
-        let with: DistributedTracer<'_, _, _, true> =
+        let with: DistributedTracer<'_, _, _, Anything> =
             DistributedTracer::new(&scene, &pictures, &tree, probe, options);
-        let without: DistributedTracer<'_, _, _, false> =
+        let without: DistributedTracer<'_, _, _, Opaque> =
             DistributedTracer::new(&scene, &pictures, &tree, probe, options);
         let camera = |point| scene.camera.ray(point);
         let with = expose(&settings, |p, s: &mut Sampler| with.incident_radiance(camera(p), s));
         let without = expose(&settings, |p, s| without.incident_radiance(camera(p), s));
         assert_eq!(with.hash(), without.hash(), "{name}: {:?}, {:?}", with.mean(), without.mean());
         if scene.geometry.primitives() < 100 {
-            let plain: DistributedTracer<'_, _, _, false> =
+            let plain: DistributedTracer<'_, _, _, Opaque> =
                 DistributedTracer::new(&scene, &pictures, &linear, probe, options);
             let plain = expose(&settings, |p, s| plain.incident_radiance(camera(p), s));
             assert_eq!(plain.hash(), without.hash(), "{name}, without a tree");

@@ -7,7 +7,7 @@ use blinn_phong::Picture;
 use glam::Vec3;
 use ray_casting::{Hit, Intersect, LinearSearch, Ray, Rgb, Scene};
 use rendering_equation::directions::uniform_sphere;
-use rendering_equation::{Branching, Density, DistributedTracer};
+use rendering_equation::{Anything, Branching, Density, DistributedTracer};
 use statistics::{Moments, seed};
 use workbench::{Sampler, Unwatched};
 
@@ -93,7 +93,7 @@ pub(crate) fn with_tracer_over<G: Intersect, T>(
     look: impl FnOnce(&dyn Fn(Ray, &mut Sampler) -> Rgb) -> T,
 ) -> T {
     let pictures = Picture::load_all(scene).unwrap_or_else(|error| panic!("{error}"));
-    let tracer: DistributedTracer<'_, _, _, true> =
+    let tracer: DistributedTracer<'_, _, _, Anything> =
         DistributedTracer::new(scene, &pictures, geometry, &Unwatched, branching);
     look(&|ray, sampler| {
         let radiance = tracer.incident_radiance(ray, sampler);

@@ -5,7 +5,7 @@ use crate::scenes::{
 };
 use glam::Vec3;
 use ray_casting::{Ray, Scene};
-use rendering_equation::Density;
+use rendering_equation::{Anything, Density};
 use statistics::{Moments, seed};
 use workbench::{FilmSettings, Sampler, expose};
 
@@ -130,7 +130,7 @@ fn with_tracer_means(scene: &Scene, renders: u64, samples: u32) -> Moments {
         let settings =
             FilmSettings { size: [1, 1], samples, seed: seed(500) + render, threads: None };
         let geometry = ray_casting::LinearSearch::new(&scene.geometry, &workbench::Unwatched);
-        let tracer: rendering_equation::DistributedTracer<'_, _, _, true> =
+        let tracer: rendering_equation::DistributedTracer<'_, _, _, Anything> =
             rendering_equation::DistributedTracer::new(
                 scene,
                 &[],

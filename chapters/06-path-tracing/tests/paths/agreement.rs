@@ -5,7 +5,7 @@ use blinn_phong::Picture;
 use bv_tree::{Aabb, Builder, BvTree};
 use path_tracing::{Ending, PathTracer, Roulette};
 use ray_casting::Scene;
-use rendering_equation::{Branching, Density, DistributedTracer};
+use rendering_equation::{Anything, Branching, Density, DistributedTracer, Opaque};
 use statistics::{
     Criterion, Moments, Noisy, assert_images, assert_variance, check_variance, compare_images, seed,
 };
@@ -24,7 +24,7 @@ fn tree(scene: &Scene) -> BvTree<'_, Aabb, Unwatched> {
 fn paths(scene: &Scene, ending: Ending, settings: &FilmSettings) -> Estimate {
     let pictures = Picture::load_all(scene).unwrap_or_else(|error| panic!("{error}"));
     let geometry = tree(scene);
-    let tracer: PathTracer<'_, _, _, true> =
+    let tracer: PathTracer<'_, _, _, Anything> =
         PathTracer::new(scene, &pictures, &geometry, &Unwatched, Density::Cosine, ending);
     expose_estimate(settings, |point, s| tracer.incident_radiance(scene.camera.ray(point), s))
 }
@@ -33,7 +33,7 @@ fn trees(scene: &Scene, directions: u32, depth: u32, settings: &FilmSettings) ->
     let pictures = Picture::load_all(scene).unwrap_or_else(|error| panic!("{error}"));
     let geometry = tree(scene);
     let branching = Branching { directions, depth, density: Density::Cosine };
-    let tracer: DistributedTracer<'_, _, _, true> =
+    let tracer: DistributedTracer<'_, _, _, Anything> =
         DistributedTracer::new(scene, &pictures, &geometry, &Unwatched, branching);
     expose_estimate(settings, |point, s| tracer.incident_radiance(scene.camera.ray(point), s))
 }
@@ -133,7 +133,7 @@ fn a_scene_without_glass_is_the_same_without_the_code_for_it() {
         let scene = asset(name);
         let pictures = Picture::load_all(&scene).unwrap_or_else(|error| panic!("{error}"));
         let geometry = tree(&scene);
-        let without: PathTracer<'_, _, _, false> =
+        let without: PathTracer<'_, _, _, Opaque> =
             PathTracer::new(&scene, &pictures, &geometry, &Unwatched, Density::Cosine, ROULETTE);
         let a: Image = expose(&settings(4, 0), |point, s| {
             without.incident_radiance(scene.camera.ray(point), s)

@@ -69,7 +69,7 @@ impl<'a, G: Intersect> AsPrinted<'a, G> {
 
     /// A direction above the surface, and its density per steradian. The listings know no mirrors.
     fn direction(&self, at: &SurfacePoint, sampler: &mut Sampler) -> Option<(glam::Vec3, f32)> {
-        let &Material::Matte { kd, map_kd, lobe } = self.materials.at(at) else { return None };
+        let Material::Matte { kd, map_kd, lobe } = self.materials.at(at) else { return None };
         let brdf = self.materials.brdf(at, kd, map_kd, lobe);
         brdf.sample(self.density, sampler).map(|drawn| (drawn.wi, drawn.pdf_solid_angle))
     }

@@ -71,7 +71,7 @@ impl<'a> Mistaken<'a> {
             if events == self.ending.depth || stops {
                 return;
             }
-            let &Material::Matte { kd, map_kd, lobe } = self.materials.at(&surface) else {
+            let Material::Matte { kd, map_kd, lobe } = self.materials.at(&surface) else {
                 return;
             };
             let brdf = self.materials.brdf(&surface, kd, map_kd, lobe);

@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::scenes::asset;
 use bv_tree::{Aabb, Builder, BvTree};
 use path_tracing::{Ending, PathTracer, Roulette};
-use rendering_equation::Density;
+use rendering_equation::{Density, Opaque};
 use statistics::{Criterion, Noisy, assert_images, compare_images, seed};
 use workbench::{FilmSettings, Image, Unwatched, expose_estimate};
 
@@ -21,7 +21,7 @@ fn the_cornell_box_agrees_with_its_reference() {
     let scene = asset("cornell-box");
     let geometry = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
     let ending = Ending { depth: 16, roulette: Roulette::Throughput };
-    let tracer: PathTracer<'_, _, _, false> =
+    let tracer: PathTracer<'_, _, _, Opaque> =
         PathTracer::new(&scene, &[], &geometry, &Unwatched, Density::Cosine, ending);
     let settings = FilmSettings { size: [128, 128], samples: 96, seed: seed(16), threads: None };
     let ours =

@@ -7,8 +7,8 @@ use blinn_phong::Picture;
 use glam::Vec3;
 use path_tracing::{Ending, PathTracer, Roulette};
 use ray_casting::{LinearSearch, Ray, Rgb, Scene};
-use rendering_equation::Density;
 use rendering_equation::directions::uniform_sphere;
+use rendering_equation::{Anything, Density};
 use statistics::{Moments, seed};
 use workbench::{Sampler, Unwatched};
 
@@ -117,7 +117,7 @@ pub(crate) fn with_paths<T>(
 ) -> T {
     let pictures = Picture::load_all(scene).unwrap_or_else(|error| panic!("{error}"));
     let geometry = LinearSearch::new(&scene.geometry, &Unwatched);
-    let tracer: PathTracer<'_, _, _, true> =
+    let tracer: PathTracer<'_, _, _, Anything> =
         PathTracer::new(scene, &pictures, &geometry, &Unwatched, density, ending);
     look(&|ray, sampler| tracer.incident_radiance(ray, sampler))
 }

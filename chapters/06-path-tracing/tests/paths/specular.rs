@@ -6,7 +6,7 @@ use glam::{Vec3, vec3};
 use mirror_refraction::{Limits, RayTracer};
 use path_tracing::PathTracer;
 use ray_casting::{LinearSearch, Ray, Scene};
-use rendering_equation::Density;
+use rendering_equation::{Anything, Density, Opaque};
 use workbench::{FilmSettings, Sampler, Unwatched, expose};
 
 const U: f32 = f32::EPSILON / 2.0;
@@ -50,7 +50,7 @@ fn a_scene_of_mirrors_looks_as_in_chapter_3() {
     let settings = FilmSettings { size: [64, 64], samples: 2, seed: 0, threads: None };
     let limits = Limits::new(Some(40), 0.0);
     let whitted = RayTracer::new(&scene, &[], &geometry, &Unwatched, limits);
-    let path: PathTracer<'_, _, _, false> =
+    let path: PathTracer<'_, _, _, Opaque> =
         PathTracer::new(&scene, &[], &geometry, &Unwatched, Density::Cosine, depth(40));
     let a = expose(&settings, |point, _| whitted.incident_radiance(scene.camera.ray(point)));
     let b = expose(&settings, |point, s| path.incident_radiance(scene.camera.ray(point), s));
@@ -102,7 +102,7 @@ fn every_sample_of_every_scene_is_finite() {
         let scene = asset(name);
         let pictures = Picture::load_all(&scene).unwrap_or_else(|error| panic!("{error}"));
         let geometry = LinearSearch::new(&scene.geometry, &Unwatched);
-        let tracer: PathTracer<'_, _, _, true> =
+        let tracer: PathTracer<'_, _, _, Anything> =
             PathTracer::new(&scene, &pictures, &geometry, &Unwatched, Density::Cosine, ROULETTE);
         let settings = FilmSettings { size: [24, 16], samples: 4, seed: 0, threads: None };
         let image =

@@ -4,7 +4,7 @@ use crate::scenes::{ROULETTE, asset, matte, room, scene};
 use bv_tree::{Aabb, Builder, BvTree};
 use path_tracing::PathTracer;
 use ray_casting::{LinearSearch, Scene};
-use rendering_equation::Density;
+use rendering_equation::{Density, Opaque};
 use statistics::{TEST_ALPHA, binomial_at_least, seed};
 use workbench::{Estimate, FilmSettings, Unwatched, expose, expose_until};
 
@@ -13,7 +13,7 @@ const SIZE: [u32; 2] = [6, 6];
 /// The picture that `--error` renders with this seed.
 fn render(scene: &Scene, error: f64, seed: u64) -> Estimate {
     let geometry = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
-    let tracer: PathTracer<'_, _, _, false> =
+    let tracer: PathTracer<'_, _, _, Opaque> =
         PathTracer::new(scene, &[], &geometry, &Unwatched, Density::Cosine, ROULETTE);
     let settings = FilmSettings { size: SIZE, samples: u32::MAX, seed, threads: None };
     expose_until(&settings, error, |point, s| tracer.incident_radiance(scene.camera.ray(point), s))
@@ -29,7 +29,7 @@ fn the_true_error_is_below_the_stated_one_in_95_of_100_renders() {
     let scene = asset("cornell-box");
     let truth = {
         let geometry = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
-        let tracer: PathTracer<'_, _, _, false> =
+        let tracer: PathTracer<'_, _, _, Opaque> =
             PathTracer::new(&scene, &[], &geometry, &Unwatched, Density::Cosine, ROULETTE);
         let settings = FilmSettings { size: SIZE, samples: 12_000, seed: seed(1), threads: None };
         expose(&settings, |point, s| tracer.incident_radiance(scene.camera.ray(point), s))
@@ -62,7 +62,7 @@ fn the_true_error_is_below_the_stated_one_in_95_of_100_renders() {
 fn a_furnace_stops_at_once_without_an_error() {
     let scene = scene(0.0, &(matte("all", 0.5, 1.0) + &room("all")));
     let geometry = LinearSearch::new(&scene.geometry, &Unwatched);
-    let tracer: PathTracer<'_, _, _, false> = PathTracer::new(
+    let tracer: PathTracer<'_, _, _, Opaque> = PathTracer::new(
         &scene,
         &[],
         &geometry,

@@ -3,7 +3,7 @@
 use light_sampling::Estimator;
 use path_tracing::PathTracer;
 use ray_casting::{LinearSearch, Scene};
-use rendering_equation::Density;
+use rendering_equation::{Anything, Density, Opaque};
 use statistics::{Criterion, Noisy, assert_images, compare_images, seed};
 use workbench::{Estimate, FilmSettings, Unwatched, expose_estimate};
 
@@ -46,7 +46,7 @@ fn assert_all_agree(name: &str, samples: [u32; 3]) {
     let scene = asset(name);
     let numbered = ESTIMATORS.into_iter().zip(samples).zip(1_u64..);
     let pictures = numbered.map(|((estimator, samples), i)| {
-        (estimator, picture::<true>(&scene, endless(estimator), &film(samples, seed(i))))
+        (estimator, picture::<Anything>(&scene, endless(estimator), &film(samples, seed(i))))
     });
     assert_agreement(name, &pictures.collect::<Vec<_>>());
 }
@@ -77,7 +77,7 @@ fn under_point_lights_and_a_sky() {
     for name in ["whitted", "nested-glass", "touching-glass", "glass-slab", "two-mirrors"] {
         let scene = asset(name);
         let pictures = [(Estimator::Light, 11), (Estimator::Mis, 12)].map(|(estimator, s)| {
-            (estimator, picture::<true>(&scene, endless(estimator), &film(300, seed(s))))
+            (estimator, picture::<Anything>(&scene, endless(estimator), &film(300, seed(s))))
         });
         assert_agreement(name, &pictures);
     }
@@ -88,11 +88,11 @@ fn under_point_lights_and_a_sky() {
 fn a_lamp_that_is_a_tenth_brighter_is_noticed_in_the_cornell_box() {
     let mut scene = asset("cornell-box");
     let settings = limited(Estimator::Mis, 8);
-    let right = picture::<true>(&scene, settings, &film(300, seed(21)));
+    let right = picture::<Anything>(&scene, settings, &film(300, seed(21)));
     for material in &mut scene.materials {
         material.ke = material.ke.map(|ke| 1.1 * ke);
     }
-    let brighter = picture::<true>(&scene, settings, &film(300, seed(22)));
+    let brighter = picture::<Anything>(&scene, settings, &film(300, seed(22)));
     let size = SIZE.map(|n| n as usize);
     let result = compare_images("10 % more", size, &noisy(&brighter), &noisy(&right), &BLOCKS);
     assert!(result.is_err(), "10 % passes: {result:?}");
@@ -104,7 +104,7 @@ fn by_chance_alone_the_picture_is_that_of_chapter_6_to_the_bit() {
     for name in ["cornell-box", "cornell-spheres", "furnace", "nested-glass", "two-mirrors"] {
         let scene = asset(name);
         let settings = endless(Estimator::Scatter);
-        let got = picture::<true>(&scene, settings, &film(4, 3)).image;
+        let got = picture::<Anything>(&scene, settings, &film(4, 3)).image;
         let expected = by_chance(&scene, settings.ending, &film(4, 3)).image;
         assert_eq!(got.hash(), expected.hash(), "{name}: {:?}, {:?}", got.mean(), expected.mean());
     }
@@ -113,7 +113,7 @@ fn by_chance_alone_the_picture_is_that_of_chapter_6_to_the_bit() {
 fn by_chance(scene: &Scene, ending: path_tracing::Ending, film: &FilmSettings) -> Estimate {
     let pictures = blinn_phong::Picture::load_all(scene).unwrap_or_else(|e| panic!("{e}"));
     let geometry = LinearSearch::new(&scene.geometry, &Unwatched);
-    let tracer: PathTracer<'_, _, _, true> =
+    let tracer: PathTracer<'_, _, _, Anything> =
         PathTracer::new(scene, &pictures, &geometry, &Unwatched, Density::Cosine, ending);
     expose_estimate(film, |point, sampler| {
         tracer.incident_radiance(scene.camera.ray(point), sampler)
@@ -125,8 +125,8 @@ fn without_glass_the_code_without_glass_gives_the_same_bits() {
     for name in ["cornell-box", "many-lights", "furnace", "two-mirrors"] {
         let scene = asset(name);
         for estimator in ESTIMATORS {
-            let with = picture::<true>(&scene, endless(estimator), &film(4, 5)).image;
-            let without = picture::<false>(&scene, endless(estimator), &film(4, 5)).image;
+            let with = picture::<Anything>(&scene, endless(estimator), &film(4, 5)).image;
+            let without = picture::<Opaque>(&scene, endless(estimator), &film(4, 5)).image;
             assert_eq!(with.hash(), without.hash(), "{name}, {estimator:?}");
         }
     }
@@ -139,7 +139,7 @@ fn the_number_of_threads_changes_no_bit() {
         for estimator in ESTIMATORS {
             let hashes = [1, 2, 5].map(|threads| {
                 let film = FilmSettings { threads: Some(threads), ..film(4, 6) };
-                picture::<true>(&scene, endless(estimator), &film).image.hash()
+                picture::<Anything>(&scene, endless(estimator), &film).image.hash()
             });
             let same = hashes.iter().all(|hash| *hash == hashes[0]);
             assert!(same, "{name}, {estimator:?}, 1, 2, 5 threads: {hashes:x?}");

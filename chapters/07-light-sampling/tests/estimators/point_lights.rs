@@ -4,6 +4,7 @@ use blinn_phong::{Shader, Terms};
 use glam::{Vec3, vec3};
 use light_sampling::Estimator;
 use ray_casting::{LinearSearch, Ray, Rgb, Scene};
+use rendering_equation::Anything;
 use statistics::assert_mean;
 use workbench::{Sampler, Unwatched};
 
@@ -41,7 +42,7 @@ fn a_matte_floor_is_as_bright_as_in_chapter_2() {
         let expected = shader.incident_radiance(ray);
         for estimator in [Estimator::Light, Estimator::Mis] {
             let settings = limited(estimator, 1);
-            let tracer: light_sampling::LightTracer<'_, _, _, true> =
+            let tracer: light_sampling::LightTracer<'_, _, _, Anything> =
                 light_sampling::LightTracer::new(&scene, &[], &geometry, &Unwatched, settings);
             let seen = tracer.incident_radiance(ray, &mut sampler);
             let error = ((seen - expected) / expected).abs().max_element();

@@ -10,6 +10,7 @@ use path_tracing::{Ending, Roulette};
 use ray_casting::{
     Attributes, Camera, Geometry, LinearSearch, PointLight, Ray, Rgb, Scene, Sphere,
 };
+use rendering_equation::{Anything, Has};
 use statistics::{Moments, seed};
 use workbench::{
     CameraRecord, Estimate, Exposure, FilmSettings, MaterialRecord, Probe, Sampler, SurfaceKind,
@@ -172,7 +173,7 @@ pub(crate) fn radiance(scene: &Scene, settings: Settings, ray: Ray, n: u32) -> M
     // One stream: the samples of a test are independent, those of two estimators may be the same.
     let mut sampler = Sampler::new(seed(0x07), 0, 0);
     let geometry = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
-    let tracer: LightTracer<'_, _, _, true> =
+    let tracer: LightTracer<'_, _, _, Anything> =
         LightTracer::new(scene, &[], &geometry, &Unwatched, settings);
     (0..n)
         .map(|_| {
@@ -186,7 +187,7 @@ pub(crate) fn radiance(scene: &Scene, settings: Settings, ray: Ray, n: u32) -> M
 pub(crate) fn watched<P: Probe>(scene: &Scene, settings: Settings, ray: Ray, n: u32, probe: &P) {
     let mut sampler = Sampler::new(seed(0x07), 0, 0);
     let geometry = LinearSearch::new(&scene.geometry, probe);
-    let tracer: LightTracer<'_, _, _, true> =
+    let tracer: LightTracer<'_, _, _, Anything> =
         LightTracer::new(scene, &[], &geometry, probe, settings);
     for _ in 0..n {
         let _ = tracer.incident_radiance(ray, &mut sampler);
@@ -194,14 +195,10 @@ pub(crate) fn watched<P: Probe>(scene: &Scene, settings: Settings, ray: Ray, n: 
 }
 
 /// The picture of a scene with its noise.
-pub(crate) fn picture<const GLASS: bool>(
-    scene: &Scene,
-    settings: Settings,
-    film: &FilmSettings,
-) -> Estimate {
+pub(crate) fn picture<H: Has>(scene: &Scene, settings: Settings, film: &FilmSettings) -> Estimate {
     let pictures = Picture::load_all(scene).unwrap_or_else(|e| panic!("{e}"));
     let geometry = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
-    let tracer: LightTracer<'_, _, _, GLASS> =
+    let tracer: LightTracer<'_, _, _, H> =
         LightTracer::new(scene, &pictures, &geometry, &Unwatched, settings);
     expose_estimate(film, |point, sampler| {
         tracer.incident_radiance(scene.camera.ray(point), sampler)

@@ -53,6 +53,21 @@ fn the_tree_draws_what_the_recursion_draws() {
     }
 }
 
+/// What the code leaves out is what the scene has none of: one scene for each of the three kinds of
+/// code, and for each thing that may be missing.
+#[test]
+fn code_for_any_scene_draws_the_same_picture() {
+    let folder = Folder::with(&[]);
+    for stage in ["rendering-equation", "path-tracing", "light-sampling"] {
+        for scene in ["cornell-box", "veach-plates", "two-mirrors", "whitted", "cornell-spheres"] {
+            let arguments = format!("{scene} --size 24x24 --samples 2 --depth 4");
+            let [chosen, any] = ["", "--for-any-scene"]
+                .map(|option| hash(&folder, stage, &format!("{arguments} {option}")));
+            assert_eq!(chosen, any, "{stage}, {scene}: the chosen code and that for any scene");
+        }
+    }
+}
+
 /// Where nothing shines back, the recursion is the shader of the chapter before.
 #[test]
 fn a_diffuse_scene_looks_the_same_in_chapters_2_to_4() {

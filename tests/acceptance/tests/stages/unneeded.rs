@@ -17,26 +17,29 @@ fn work(folder: &Folder, stage: &str, scene: &str) -> ((Value, Value, u64), u64)
     ((all["rays"].clone(), all["skipped"].clone(), picture.hash()), tests)
 }
 
-/// A material of glass that nothing is made of makes the stages run the code that knows of glass.
-/// It finds the same with the same rays, but for a few that find out, once a render, in what the
-/// eye is. What it costs is a few instructions a hit (`rendering_equation::Renderer` has the
-/// numbers), and without glass not even these.
+/// The code for any scene finds the same as the code for matte surfaces alone, with the same rays.
+/// What it costs is a few instructions a hit, and where it is left out not even these. A material
+/// that nothing is made of changes nothing.
 #[test]
-fn code_for_glass_finds_the_same_with_the_same_rays() {
-    let opaque = format!("{BALL}[materials.lamp]\nke = [3, 4, 5]\n")
+fn code_for_any_scene_finds_the_same_with_the_same_rays() {
+    let matte = format!("{BALL}[materials.lamp]\nke = [3, 4, 5]\n")
         + "[[sphere]]\ncenter = [1.5, 0.5, 0]\nradius = 0.5\nmaterial = 'lamp'\n";
-    let opaque = scene(&opaque).replace("[materials.glass]\nsurface = 'glass'\n", "");
-    assert!(!opaque.contains("glass"), "no glass in {opaque}");
-    let with_glass = format!("{opaque}[materials.unused]\nsurface = 'glass'\n");
-    let folder = Folder::with(&[("opaque.toml", &opaque), ("glass.toml", &with_glass)]);
+    let matte = scene(&matte).replace("[materials.glass]\nsurface = 'glass'\n", "");
+    assert!(!matte.contains("glass"), "no glass in {matte}");
+    let unused = format!("{matte}[materials.unused]\nsurface = 'glass'\n");
+    let folder = Folder::with(&[("matte.toml", &matte), ("unused.toml", &unused)]);
     for stage in ESTIMATING {
-        let [(without, few), (with, more)] =
-            ["opaque.toml", "glass.toml"].map(|name| work(&folder, stage, name));
-        assert_eq!(without, with, "{stage}: rays, skipped and picture without and with glass");
-        let [scatter, refraction] = ["scatter", "refraction"].map(|key| &without.0[key]);
+        let [(matte, few), (unused, more), (any, same)] =
+            ["matte.toml", "unused.toml", "matte.toml --for-any-scene"]
+                .map(|arguments| work(&folder, stage, arguments));
+        assert_eq!(matte, unused, "{stage}: without and with glass that nothing is made of");
+        assert_eq!(matte, any, "{stage}: code for matte surfaces and for any scene");
+        assert_eq!(few, same, "{stage}: tests of primitives by both");
+        // A few rays find out, once a render, whether the eye is in that glass.
+        assert!((few..few + 20).contains(&more), "{stage}: {few} tests, {more} with unused glass");
+        let [scatter, refraction] = ["scatter", "refraction"].map(|key| &matte.0[key]);
         assert!(scatter.as_u64() > Some(1000), "{stage}: {scatter} scattered rays");
         assert_eq!(refraction, 0, "{stage}: refracted rays");
-        assert!((few..few + 20).contains(&more), "{stage}: {few} tests without glass, {more} with");
     }
 }
 
