@@ -13,7 +13,7 @@
 //! 3. a hit so near that rounding could have moved it across the origin is decided by the exact
 //!    plane.
 
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
 use crate::hit::Hit;
 use crate::math::gamma;
@@ -225,7 +225,7 @@ fn size(sheared: &[[f32; 3]; 3]) -> f32 {
 #[inline(never)] // hardly ever called: it would only be in the way of the loop over triangles
 fn settle(ray: &Ray, vertices: [Vec3; 3], t: f32) -> Option<f32> {
     let Ray { origin, direction, extent } = *ray;
-    let [v0, v1, v2] = vertices.map(|v| v.as_dvec3());
+    let [v0, v1, v2] = opposite_the_longest_edge(vertices.map(|v| v.as_dvec3()));
     let (o, d) = (origin.as_dvec3(), direction.as_dvec3());
     let (e1, e2) = (v1 - v0, v2 - v0);
     let n = e1.cross(e2);
@@ -241,6 +241,21 @@ fn settle(ray: &Ray, vertices: [Vec3; 3], t: f32) -> Option<f32> {
         <= size.dot(f64::from(gamma(8)) * o.abs() + DOUBLE * (v0.abs() + e1.abs() + e2.abs()));
     let runs_along = speed.abs() <= f64::from(gamma(8)) * size.dot(d.abs());
     (!(at_surface && runs_along)).then(|| t.max(extent.min.next_up()))
+}
+
+/// The corners in the same order, but with that first which the two shorter edges meet in.
+///
+/// Two long edges of a needle are so nearly parallel that even in double precision their product can
+/// lose the normal: one of length 5·10⁷ and width 0.07 was off by more than a float is wide.
+fn opposite_the_longest_edge([a, b, c]: [DVec3; 3]) -> [DVec3; 3] {
+    let [ab, bc, ca] = [b - a, c - b, a - c].map(DVec3::length_squared);
+    if bc >= ab.max(ca) {
+        [a, b, c]
+    } else if ca >= ab {
+        [b, c, a]
+    } else {
+        [c, a, b]
+    }
 }
 
 /// 64 roundings of double precision.

@@ -306,6 +306,20 @@ fn a_ray_toward_a_point_of_the_same_plane_does_not_meet_it() {
     assert_eq!(hit, None, "{ray:?}");
 }
 
+/// accuracy T13: a needle 5·10⁷ long and 0.07 wide. The ray starts on the side to which it leads.
+#[test]
+fn a_ray_that_leaves_a_long_needle_does_not_meet_it() {
+    let corners = [
+        [0x4c56_3979, 0x4aa9_e105, 0xc74c_426e],
+        [0x3b1c_3367, 0xbd6f_54b3, 0x3bb9_71ee],
+        [0xbc41_5804, 0x3c66_3c6e, 0x374d_bedd],
+    ];
+    let origin = bits([0x4825_b7fc, 0x4683_69ed, 0xc31e_014a]);
+    let ray = Ray::new(origin, bits([0xbe9e_fa6a, 0xbf72_4f0e, 0x3db3_9610]));
+    let hit = intersect(&ray, &corners.map(bits));
+    assert_eq!(hit, None, "{ray:?}");
+}
+
 /// A vector from the bits of its components.
 fn bits(v: [u32; 3]) -> Vec3 {
     Vec3::from_array(v.map(f32::from_bits))
