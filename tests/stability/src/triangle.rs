@@ -2,8 +2,10 @@
 
 use std::cmp::Ordering;
 
+use bv_tree::{Aabb, Builder, BvTree};
 use glam::{DVec3, Vec3, dvec3, vec3};
-use ray_casting::{Hit, Ray, Scene, ShearedRay, SurfacePoint, triangle};
+use ray_casting::{Geometry, Hit, Intersect, Ray, Scene, ShearedRay, SurfacePoint, triangle};
+use workbench::Unwatched;
 
 use crate::bits::{self, gamma, ulps};
 use crate::exact::{self, Exact};
@@ -16,8 +18,8 @@ crate::catalogue! {
     T1 elsewhere "chapters/01-ray-casting/tests/kernels/triangle.rs"
         weights_distance_normal_and_point_are_right_to_a_few_last_places;
     T2 random/1 no_ray_slips_through_the_diagonal_of_a_parallelogram;
-    T3 random/20 no_ray_leaves_a_closed_mesh;
-    T4 random/20 no_ray_leaves_a_closed_mesh_where_coordinates_are_coarse;
+    T3 random/5 no_ray_leaves_a_closed_mesh;
+    T4 random/5 no_ray_leaves_a_closed_mesh_where_coordinates_are_coarse;
     T5 elsewhere "chapters/01-ray-casting/tests/scenes/placement.rs"
         a_triangle_without_area_is_dropped;
     T6 random/2 a_point_or_a_segment_is_never_hit;
@@ -106,9 +108,12 @@ fn no_ray_slips_through_the_diagonal_of_a_parallelogram(trial: &mut Trial) {
 /// A ball of 448 triangles between the radii 1 and 6 around `center`, another one each time, and rays
 /// from within: a quarter anywhere, a quarter to a vertex, a quarter to a point of an edge, and a
 /// quarter that leave inward from where they met the ball, close to an edge.
+///
+/// The search is that of a tree, which has the same triangle test and twenty times the rays.
 fn sealed(trial: &mut Trial, center: Vec3) {
     let ball = scene(ball(center, &mut trial.random));
     let geometry = &ball.geometry;
+    let tree = BvTree::<Aabb, _>::build(geometry, Builder::Sah, &Unwatched);
     for i in 0..trial.rays {
         let random = &mut trial.random;
         let origin = within(center, random);
@@ -122,13 +127,13 @@ fn sealed(trial: &mut Trial, center: Vec3) {
             _ => toward(origin, edge.lerp(c, random.magnitude(-5.0, 0.0)).as_vec3()),
         };
         let Some(ray) = ray else { continue };
-        let Some(hit) = nearest(geometry, &ray) else {
-            trial.require(false, || format!("{} leaves a ball around {center}", bits::ray(&ray)));
-            continue;
-        };
-        trial.require(true, String::new);
-        if i % 4 == 3 {
-            leave_inward(trial, &ball, &ball.surface(&ray, &hit));
+        let hit = tree.intersect(&ray);
+        trial.require(hit.is_some(), || {
+            let by_all = nearest(geometry, &ray);
+            format!("{} leaves a ball around {center}; without a tree: {by_all:?}", bits::ray(&ray))
+        });
+        if let Some(hit) = hit.filter(|_| i % 4 == 3) {
+            leave_inward(trial, geometry, &tree, &ball.surface(&ray, &hit));
         }
     }
 }
@@ -136,30 +141,43 @@ fn sealed(trial: &mut Trial, center: Vec3) {
 /// A ray back into the closed mesh that `surface` belongs to. Where the origin is moved off one
 /// surface within a few floats of another, it may be moved through that; so a ray may leave if it
 /// crosses an even number of triangles in exact arithmetic: then it has started outside.
-fn leave_inward(trial: &mut Trial, mesh: &Scene, surface: &SurfacePoint) {
+fn leave_inward(trial: &mut Trial, mesh: &Geometry, tree: &impl Intersect, surface: &SurfacePoint) {
     let inward = surface.facing_normal().as_dvec3();
     let direction = trial.random.direction();
     let direction = direction * direction.dot(inward).signum();
     let next = surface.spawn(direction.as_vec3());
-    let is_hit = nearest(&mesh.geometry, &next).is_some();
     let crossings = || {
-        let triangles = 0..mesh.geometry.triangles.len() as u32;
-        triangles.filter(|&i| crosses(&next, mesh.geometry.corners(i))).count()
+        let triangles = 0..mesh.triangles.len() as u32;
+        triangles.filter(|&i| crosses(&next, mesh.corners(i))).count()
     };
-    trial.require(is_hit || crossings() % 2 == 0, || {
+    trial.require(tree.occluded(&next) || crossings() % 2 == 0, || {
         format!("{} leaves from {surface:?}", bits::ray(&next))
     });
 }
 
 /// Whether a ray meets the inside of a triangle, in exact arithmetic.
 fn crosses(ray: &Ray, corners: Corners) -> bool {
-    let d = exact::vector(ray.direction);
-    let [a, b, c] = corners.map(|v| exact::difference(v, ray.origin));
-    let side = |from, to| exact::dot(&d, &exact::cross(from, to)).sign();
-    let first = side(&a, &b);
-    let inside = first.is_ne() && side(&b, &c) == first && side(&c, &a) == first;
-    let n = exact::normal(corners);
-    inside && exact::dot(&n, &a).sign() == exact::dot(&n, &d).sign()
+    let [a, b, c] = corners;
+    let first = exact_side(ray, a, b);
+    let inside = first.is_ne() && exact_side(ray, b, c) == first && exact_side(ray, c, a) == first;
+    inside && {
+        let n = exact::normal(corners);
+        let height = exact::dot(&n, &exact::difference(a, ray.origin));
+        height.sign() == exact::dot(&n, &exact::vector(ray.direction)).sign()
+    }
+}
+
+/// The sign of d·((a − o) × (b − o)). Its error in double precision is below 2⁻⁴⁹ of the product of
+/// the three lengths; only closer to zero is it computed without any.
+fn exact_side(ray: &Ray, a: Vec3, b: Vec3) -> Ordering {
+    let d = ray.direction.as_dvec3();
+    let [from, to] = [a, b].map(|v| v.as_dvec3() - ray.origin.as_dvec3());
+    let quick = d.dot(from.cross(to));
+    if quick.abs() > 1e-12 * d.length() * from.length() * to.length() {
+        return quick.total_cmp(&0.0);
+    }
+    let [from, to] = [a, b].map(|v| exact::difference(v, ray.origin));
+    exact::dot(&exact::vector(ray.direction), &exact::cross(&from, &to)).sign()
 }
 
 /// [`sealed`] at the origin, where the test of Möller and Trumbore loses 5.8 % of the rays to vertices
