@@ -30,6 +30,7 @@ pub mod random;
 pub mod report;
 pub mod scenes;
 pub mod trial;
+pub mod zoo;
 
 pub mod aabb;
 pub mod agreement;
