@@ -1,0 +1,69 @@
+//! Run time against error: what a second of rendering brings, and what was not worth its time.
+//!
+//! | module | noun |
+//! |---|---|
+//! | [`options`] | the command line |
+//! | [`matrix`], [`experiment`], [`scene`] | what is rendered, with which settings |
+//! | [`stages`], [`run`] | the stages' binaries, and every render of the matrix |
+//! | [`truth`], [`furnace`] | the right pictures |
+//! | [`measures`] | the error of a picture |
+//! | [`row`], [`csv`], [`results`] | the file of all renders |
+//! | [`curve`], [`summary`] | what the seeds say together |
+//! | [`report`], [`plot`], [`foreign`] | the files beside it, also with other renderers' curves |
+//! | [`folder`], [`error`] | whole files; what can go wrong |
+
+pub mod csv;
+pub mod curve;
+pub mod error;
+pub mod experiment;
+pub mod folder;
+pub mod foreign;
+mod furnace;
+pub mod matrix;
+pub mod measures;
+pub mod options;
+pub mod plot;
+mod progress;
+pub mod report;
+pub mod results;
+pub mod row;
+pub mod run;
+pub mod scene;
+pub mod stages;
+pub mod summary;
+pub mod truth;
+
+use error::{Error, Result};
+use experiment::Experiment;
+use options::Options;
+use results::Results;
+use stages::Stages;
+
+/// Does what the command line asks for.
+///
+/// # Errors
+/// If a stage cannot be built or fails, a file cannot be read or written, or nothing is left to do.
+pub fn measure(options: &Options) -> Result<()> {
+    let experiments = chosen(options)?;
+    let foreign = options.rows.as_deref().map_or(Ok(Vec::new()), foreign::read)?;
+    let stages = Stages::build()?;
+    let mut results = Results::open(&options.output)?;
+    run::run(&experiments, &stages, &mut results)?;
+    report::write(options.folder(), &experiments, &results, &foreign)
+}
+
+/// The experiments that `--only` leaves.
+fn chosen(options: &Options) -> Result<Vec<Experiment>> {
+    let mut experiments = matrix::experiments(options.extent());
+    if let Some(only) = &options.only {
+        for experiment in &mut experiments {
+            let scene = &experiment.scene.name;
+            experiment.settings.retain(|setting| only.means(scene, setting.stage));
+        }
+        experiments.retain(|experiment| !experiment.settings.is_empty());
+    }
+    if experiments.is_empty() {
+        return Err(Error::new("`--only` leaves nothing: no such scene, or no such stage of it"));
+    }
+    Ok(experiments)
+}

@@ -1,0 +1,228 @@
+//! All experiments: which settings are held against each other, on which scenes.
+
+use crate::experiment::{Experiment, Setting};
+use crate::scene::{Answer, Scene};
+
+/// How much of the matrix is run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Extent {
+    /// About twenty minutes.
+    Full,
+    /// About a minute: fewer seeds, fewer samples.
+    Quick,
+}
+
+/// 4⁰, 4¹, … up to 4ⁿ⁻¹.
+fn powers_of_four(n: u32) -> Vec<u32> {
+    (0..n).map(|i| 4_u32.pow(i)).collect()
+}
+
+/// What most pictures are like: small, because only the number of samples matters.
+const SIZE: [u32; 2] = [64, 64];
+
+/// Every experiment, in the order in which they are run.
+#[must_use]
+pub fn experiments(extent: Extent) -> Vec<Experiment> {
+    [
+        trees(extent),
+        vec![volumes(extent)],
+        densities(extent),
+        vec![branching(extent), ending(extent)],
+        estimators(extent),
+        vec![lights(extent)],
+        whitted(extent),
+    ]
+    .concat()
+}
+
+fn seeds(extent: Extent) -> u64 {
+    match extent {
+        Extent::Full => 8,
+        Extent::Quick => 3,
+    }
+}
+
+fn setting(name: &str, stage: &'static str, options: &str, samples: &[u32], price: f64) -> Setting {
+    let [name, options] = [name, options].map(str::to_owned);
+    Setting { name, stage, options, samples: samples.to_vec(), price }
+}
+
+/// From which triangle on does the tree pay? Each terrain shows the same landscape.
+fn trees(extent: Extent) -> Vec<Experiment> {
+    let sides: &[u32] = match extent {
+        Extent::Full => &[1, 2, 4, 8, 16, 32, 64, 128],
+        Extent::Quick => &[1, 2, 4, 8, 16, 32],
+    };
+    let experiment = |&side: &u32| {
+        // As many as give a time that a clock can read, and no more.
+        let samples = [(65_536 / (2 * side * side)).clamp(1, 64)];
+        let tests = f64::from(2 * side * side);
+        Experiment {
+            question: "tree",
+            scene: Scene::terrain(side, SIZE),
+            settings: vec![
+                setting("tree", "bv-tree", "--volume aabb", &samples, 3.0),
+                setting("none", "bv-tree", "--volume none", &samples, 3.0 + 0.05 * tests),
+            ],
+            seeds: seeds(extent),
+        }
+    };
+    sides.iter().map(experiment).collect()
+}
+
+/// Which volume, and which builder?
+fn volumes(extent: Extent) -> Experiment {
+    let samples = match extent {
+        Extent::Full => [64],
+        Extent::Quick => [8],
+    };
+    let of = |name, options| setting(name, "bv-tree", options, &samples, 8.0);
+    Experiment {
+        question: "volumes",
+        scene: Scene::stored("whitted-teapot", SIZE, Answer::None),
+        settings: vec![
+            of("aabb, sah", "--volume aabb --builder sah"),
+            of("aabb, median", "--volume aabb --builder median"),
+            of("obb, sah", "--volume obb --builder sah"),
+            of("kdop14, sah", "--volume kdop14 --builder sah"),
+            of("kdop18, sah", "--volume kdop18 --builder sah"),
+        ],
+        seeds: seeds(extent),
+    }
+}
+
+/// Uniform directions, or in proportion to what counts?
+fn densities(extent: Extent) -> Vec<Experiment> {
+    let samples = powers_of_four(match extent {
+        Extent::Full => 5,
+        Extent::Quick => 3,
+    });
+    let of = |scene, answer| Experiment {
+        question: "density",
+        scene: Scene::stored(scene, SIZE, answer),
+        settings: ["cosine", "uniform"]
+            .map(|density| {
+                let options = format!("--branching 1 --depth 16 --density {density}");
+                setting(density, "rendering-equation", &options, &samples, 6.0)
+            })
+            .to_vec(),
+        seeds: seeds(extent),
+    };
+    vec![of("furnace", Answer::Furnace), of("cornell-box", Answer::Reference("cornell"))]
+}
+
+/// One direction a hit, or N?
+fn branching(extent: Extent) -> Experiment {
+    // About as many rays for each: a sample has 4, 15, 85, 585.
+    let counts: [(u32, &[u32], f64); 4] = match extent {
+        Extent::Full => [
+            (1, &[4, 16, 64, 256, 1024], 3.1),
+            (2, &[1, 4, 16, 64, 256], 9.9),
+            (4, &[1, 4, 16, 64], 50.0),
+            (8, &[1, 4, 8], 330.0),
+        ],
+        Extent::Quick => {
+            [(1, &[4, 16, 64], 3.1), (2, &[1, 4, 16], 9.9), (4, &[1, 2, 4], 50.0), (8, &[1], 330.0)]
+        }
+    };
+    let answer = Answer::Own { depth: 3, samples: own_samples(extent) };
+    Experiment {
+        question: "branching",
+        scene: Scene::stored("cornell-box", SIZE, answer),
+        settings: counts
+            .map(|(n, samples, rays)| {
+                let options = format!("--depth 3 --branching {n}");
+                setting(&format!("N = {n}"), "rendering-equation", &options, samples, rays)
+            })
+            .to_vec(),
+        seeds: seeds(extent),
+    }
+}
+
+/// Samples a pixel of a picture that others are held against.
+fn own_samples(extent: Extent) -> u32 {
+    match extent {
+        Extent::Full => 8192,
+        Extent::Quick => 512,
+    }
+}
+
+/// Where should a path end?
+fn ending(extent: Extent) -> Experiment {
+    let samples: &[u32] = match extent {
+        Extent::Full => &[4, 16, 64, 256, 1024, 4096],
+        Extent::Quick => &[4, 16, 64],
+    };
+    let of = |name, options, price| setting(name, "path-tracing", options, samples, price);
+    Experiment {
+        question: "ending",
+        scene: Scene::stored("cornell-box", [32, 32], Answer::Reference("cornell")),
+        settings: vec![
+            of("roulette", "--depth 16 --roulette throughput", 3.6),
+            of("roulette, 1/2", "--depth 16 --roulette 0.5", 2.5),
+            of("depth 16", "--depth 16 --roulette off", 6.0),
+            of("depth 4", "--depth 4 --roulette off", 3.6),
+            of("depth 2", "--depth 2 --roulette off", 2.5),
+        ],
+        seeds: seeds(extent),
+    }
+}
+
+/// Lamps by chance, by sampling them, or both?
+fn estimators(extent: Extent) -> Vec<Experiment> {
+    let samples = powers_of_four(match extent {
+        Extent::Full => 5,
+        Extent::Quick => 3,
+    });
+    let of = |scene, size, answer| Experiment {
+        question: "estimators",
+        scene: Scene::stored(scene, size, answer),
+        settings: [("mis", 6.0), ("light", 6.0), ("scatter", 3.6)]
+            .map(|(estimator, price)| {
+                let options = format!("--depth 16 --estimator {estimator}");
+                setting(estimator, "light-sampling", &options, &samples, price)
+            })
+            .to_vec(),
+        seeds: seeds(extent),
+    };
+    vec![
+        of("cornell-box", SIZE, Answer::Reference("cornell")),
+        of("veach-plates", [64, 48], Answer::Own { depth: 16, samples: own_samples(extent) }),
+    ]
+}
+
+/// Which of many lamps should be asked?
+fn lights(extent: Extent) -> Experiment {
+    let samples = powers_of_four(match extent {
+        Extent::Full => 5,
+        Extent::Quick => 3,
+    });
+    Experiment {
+        question: "lights",
+        scene: Scene::stored("many-lights", SIZE, Answer::Reference("many-lights")),
+        settings: ["nearby", "power", "uniform"]
+            .map(|choice| {
+                let options = format!("--depth 16 --choice {choice}");
+                setting(choice, "light-sampling", &options, &samples, 4.0)
+            })
+            .to_vec(),
+        seeds: seeds(extent),
+    }
+}
+
+/// How far is a Whitted picture from the right one, and what of that do samples mend?
+fn whitted(extent: Extent) -> Vec<Experiment> {
+    let samples = powers_of_four(match extent {
+        Extent::Full => 4,
+        Extent::Quick => 2,
+    });
+    let of = |scene, reference| Experiment {
+        question: "whitted",
+        scene: Scene::stored(scene, SIZE, Answer::Reference(reference)),
+        settings: [("03 and 04", "bv-tree"), ("02", "blinn-phong")]
+            .map(|(name, stage)| setting(name, stage, "", &samples, 4.0))
+            .to_vec(),
+        seeds: seeds(extent),
+    };
+    vec![of("cornell-box", "cornell"), of("cornell-spheres", "cornell-spheres")]
+}
