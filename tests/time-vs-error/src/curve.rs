@@ -23,7 +23,7 @@ pub struct Point {
     pub samples: u32,
     /// How many seeds.
     pub seeds: usize,
-    /// Seconds of the render.
+    /// Seconds of the render, see [`Row::render_seconds`].
     pub render: Spread,
     /// Seconds of building tree and lights.
     pub build: Spread,
@@ -142,6 +142,9 @@ impl Curve {
     }
 
     /// Seconds a sample, where there are most of them.
+    ///
+    /// The time of a render is in proportion to its samples, so the longest renders say best what
+    /// one costs.
     #[must_use]
     pub fn seconds_a_sample(&self) -> f64 {
         self.last().map_or(f64::NAN, |point| point.render.median / f64::from(point.samples))
@@ -157,7 +160,7 @@ impl Point {
         Some(Self {
             samples,
             seeds: rows.len(),
-            render: Spread::of(rows.iter().map(|row| row.seconds[2])),
+            render: Spread::of(rows.iter().map(|row| row.render_seconds())),
             build: Spread::of(rows.iter().map(|row| row.seconds[1])),
             rays: first.rays,
             rel_mse: mean(Measure::RelMse),

@@ -6,22 +6,29 @@
 //! | [`matrix`], [`experiment`], [`scene`] | what is rendered, with which settings |
 //! | [`stages`], [`run`] | the stages' binaries, and every render of the matrix |
 //! | [`truth`], [`furnace`] | the right pictures |
-//! | [`measures`] | the error of a picture |
+//! | [`measures`], [`flip()`](flip::flip) | the error of a picture |
 //! | [`row`], [`csv`], [`results`] | the file of all renders |
 //! | [`curve`], [`summary`] | what the seeds say together |
+//! | [`comparison`], [`answers`], [`tables`], [`markdown`] | what that means, in words and numbers |
 //! | [`report`], [`plot`], [`foreign`] | the files beside it, also with other renderers' curves |
+//! | [`pictures`] | two settings at equal time and at equal error |
 //! | [`folder`], [`error`] | whole files; what can go wrong |
 
+pub mod answers;
+pub mod comparison;
 pub mod csv;
 pub mod curve;
 pub mod error;
 pub mod experiment;
+pub mod flip;
 pub mod folder;
 pub mod foreign;
 mod furnace;
+pub mod markdown;
 pub mod matrix;
 pub mod measures;
 pub mod options;
+pub mod pictures;
 pub mod plot;
 mod progress;
 pub mod report;
@@ -31,11 +38,14 @@ pub mod run;
 pub mod scene;
 pub mod stages;
 pub mod summary;
+pub mod tables;
 pub mod truth;
 
 use error::{Error, Result};
 use experiment::Experiment;
 use options::Options;
+use pictures::PAIRS;
+use report::Outcome;
 use results::Results;
 use stages::Stages;
 
@@ -49,7 +59,17 @@ pub fn measure(options: &Options) -> Result<()> {
     let stages = Stages::build()?;
     let mut results = Results::open(&options.output)?;
     run::run(&experiments, &stages, &mut results)?;
-    report::write(options.folder(), &experiments, &results, &foreign)
+    let outcomes: Vec<_> = experiments.iter().map(|e| Outcome::of(e, &results)).collect();
+    report::write(options.folder(), &outcomes, &foreign)?;
+    if options.quick || options.only.is_some() {
+        return Ok(());
+    }
+    for pair in PAIRS {
+        for outcome in outcomes.iter().filter(|outcome| pair.is_of(outcome)) {
+            pair.write(outcome, &stages, options.folder())?;
+        }
+    }
+    Ok(())
 }
 
 /// The experiments that `--only` leaves.

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use crate::curve::{Curve, Point};
+use crate::answers::{self, Answers};
+use crate::curve::{Curve, Mean, Point};
 use crate::error::Result;
 use crate::experiment::Experiment;
 use crate::folder;
@@ -10,6 +11,7 @@ use crate::foreign::Foreign;
 use crate::plot::{Line, Mark, Plot};
 use crate::results::Results;
 use crate::summary;
+use crate::tables::{self, Gain};
 
 /// An experiment with what came out of it.
 #[derive(Clone, Debug)]
@@ -24,33 +26,99 @@ pub struct Outcome<'a> {
 ///
 /// # Errors
 /// If a file cannot be written.
-pub fn write(
-    folder: &Path,
-    experiments: &[Experiment],
-    results: &Results,
-    foreign: &[Foreign],
-) -> Result<()> {
-    let outcome = |experiment| Outcome { experiment, curves: Curve::all(experiment, results) };
-    let outcomes: Vec<_> = experiments.iter().map(outcome).collect();
-    folder::write(&folder.join("summary.csv"), summary::csv(&outcomes))?;
-    for outcome in &outcomes {
-        outcome.write(folder, foreign)?;
+pub fn write(folder: &Path, outcomes: &[Outcome<'_>], foreign: &[Foreign]) -> Result<()> {
+    folder::write(&folder.join("summary.csv"), summary::csv(outcomes))?;
+    let mut answers = Answers::default();
+    for outcome in outcomes {
+        outcome.write(folder, foreign, &mut answers)?;
+    }
+    write_gains(folder, outcomes, &mut answers)?;
+    folder::write(&folder.join("answers.md"), answers.text())
+}
+
+/// The files about the tree, which every terrain has a part in.
+fn write_gains(folder: &Path, outcomes: &[Outcome<'_>], answers: &mut Answers) -> Result<()> {
+    let terrains = outcomes.iter().filter(|outcome| outcome.experiment.question == "tree");
+    let gains: Vec<Gain> = terrains.filter_map(Gain::of).collect();
+    answers.add("tree", answers::trees(&gains));
+    if let Some(svg) = gain_against_triangles(&gains).svg() {
+        folder::write(&folder.join("tree.svg"), svg)?;
+        folder::write(&folder.join("tree.md"), tables::trees(&gains))?;
     }
     Ok(())
 }
 
-impl Outcome<'_> {
+fn gain_against_triangles(gains: &[Gain]) -> Plot {
+    let line = |name: &str, gain: fn(&Gain) -> f64| {
+        let mark = |g: &Gain| Mark { x: f64::from(g.triangles), y: gain(g), interval: 0.0 };
+        Line { name: name.to_owned(), points: gains.iter().map(mark).collect() }
+    };
+    Plot {
+        title: "From which triangle on does the tree pay, and how much?".to_owned(),
+        x: "triangles".to_owned(),
+        y: "time without / with tree".to_owned(),
+        curves: vec![
+            line("rendering", |gain| gain.render),
+            line("and building", |gain| gain.with_building),
+        ],
+    }
+}
+
+impl<'a> Outcome<'a> {
+    /// What came out of an experiment so far.
+    #[must_use]
+    pub fn of(experiment: &'a Experiment, results: &Results) -> Self {
+        Self { experiment, curves: Curve::all(experiment, results) }
+    }
+
     /// `question-scene`, the stem of its files.
     #[must_use]
     pub fn name(&self) -> String {
         format!("{}-{}", self.experiment.question, self.experiment.scene.name)
     }
 
-    fn write(&self, folder: &Path, foreign: &[Foreign]) -> Result<()> {
-        if let Some(svg) = self.error_against_time(foreign).and_then(|plot| plot.svg()) {
-            folder::write(&folder.join(self.name()).with_extension("svg"), svg)?;
+    fn write(&self, folder: &Path, foreign: &[Foreign], answers: &mut Answers) -> Result<()> {
+        let name = self.name();
+        let (plot, table) = match self.experiment.question {
+            "tree" => return Ok(()),
+            "volumes" => (None, tables::times(self)),
+            "whitted" => {
+                answers.add(&name, answers::whitted(self));
+                (Some(self.parts_against_samples()), tables::whitted(self))
+            }
+            _ => {
+                answers.add(&name, answers::efficiency(self));
+                answers.add(&format!("{name}-bias"), answers::bias(self));
+                answers.add(&format!("{name}-slopes"), answers::slopes(self));
+                (self.error_against_time(foreign), tables::errors(self))
+            }
+        };
+        folder::write(&folder.join(format!("{name}.md")), table)?;
+        match plot.and_then(|plot| plot.svg()) {
+            Some(svg) => folder::write(&folder.join(format!("{name}.svg")), svg),
+            None => Ok(()),
         }
-        Ok(())
+    }
+
+    /// The error of a Whitted picture, and the part of it that samples mend.
+    fn parts_against_samples(&self) -> Plot {
+        let line = |curve: &Curve, part: &str, error: fn(&Point) -> Mean| {
+            let mark = |point: &Point| {
+                let Mean { value, interval, .. } = error(point);
+                Mark { x: f64::from(point.samples), y: value, interval }
+            };
+            let name = format!("{}, {part}", curve.setting.name);
+            Line { name, points: curve.points.iter().map(mark).collect() }
+        };
+        let curves = self.curves.iter().flat_map(|curve| {
+            [line(curve, "all", |p| p.rel_mse), line(curve, "by sampling", |p| p.sampling)]
+        });
+        Plot {
+            title: format!("{}: what do more samples mend?", self.experiment.scene.name),
+            x: "samples a pixel".to_owned(),
+            y: "relMSE".to_owned(),
+            curves: curves.collect(),
+        }
     }
 
     /// Seconds of one sample a pixel of the first setting: the unit of time of the plots.
@@ -62,14 +130,16 @@ impl Outcome<'_> {
     /// relMSE against time; `None` if nobody asked for errors.
     fn error_against_time(&self, foreign: &[Foreign]) -> Option<Plot> {
         let unit = self.unit();
-        let mark = |point: &Point| Mark {
-            x: point.render.median / unit,
-            y: point.rel_mse.value,
-            interval: point.rel_mse.interval,
-        };
-        let line = |curve: &Curve| Line {
-            name: curve.setting.name.clone(),
-            points: curve.points.iter().map(mark).collect(),
+        let line = |curve: &Curve| {
+            let time = curve.seconds_a_sample() / unit;
+            let mark = |point: &Point| {
+                let Mean { value, interval, .. } = point.rel_mse;
+                Mark { x: time * f64::from(point.samples), y: value, interval }
+            };
+            Line {
+                name: curve.setting.name.clone(),
+                points: curve.points.iter().map(mark).collect(),
+            }
         };
         let scene = &self.experiment.scene.name;
         let others = foreign.iter().filter(|other| other.scene == *scene);

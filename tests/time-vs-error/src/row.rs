@@ -99,6 +99,21 @@ impl Row {
         self.errors[measure as usize]
     }
 
+    /// Seconds of rendering: processor time if it is known well enough, else wall time.
+    ///
+    /// On an idle machine the two are the same, with one thread. On one that is shared, wall time
+    /// contains what others did meanwhile. Processor time comes in hundredths and is that of the
+    /// whole process, so loading and building are taken off, and short renders keep the wall time.
+    #[must_use]
+    pub fn render_seconds(&self) -> f64 {
+        const WELL_ENOUGH: f64 = 0.2;
+        let [load, build, render] = self.seconds;
+        match self.cpu {
+            Some(cpu) if cpu - load - build >= WELL_ENOUGH => (cpu - load - build).min(render),
+            _ => render,
+        }
+    }
+
     /// The line of the CSV file, without its end.
     #[must_use]
     pub fn line(&self) -> String {
@@ -194,7 +209,7 @@ pub(crate) mod tests {
             setting: setting.into(),
             rays: 123_456,
             seconds: [0.001, 0.002, 0.5 * f64::from(samples)],
-            cpu: Some(0.51),
+            cpu: None,
             mean: 0.125,
             errors: [0, 1, 2, 3, 4, 5, 6, 7, 8]
                 .map(|i| (i < 7).then_some(f64::from(1 + i) / f64::from(samples))),
@@ -210,6 +225,17 @@ pub(crate) mod tests {
         let unknown = Row { cpu: None, errors: [None; 9], ..row };
         assert_eq!(Row::parse(&unknown.line()).as_ref(), Some(&unknown), "{}", unknown.line());
         assert_eq!(header().split(',').count(), COLUMNS.len(), "{}", header());
+    }
+
+    #[test]
+    fn a_long_render_is_timed_by_the_processor_and_a_short_one_by_the_clock() {
+        let time = |cpu, render| {
+            let seconds = [0.01, 0.04, render];
+            Row { cpu, seconds, ..example("cosine", 1, 0) }.render_seconds()
+        };
+        assert!((time(Some(1.05), 3.0) - 1.0).abs() < 1e-12, "{}", time(Some(1.05), 3.0));
+        assert_eq!(time(Some(1.05), 0.9), 0.9, "never more than the clock says");
+        assert_eq!([time(Some(0.1), 0.06), time(None, 0.5)], [0.06, 0.5], "short, and unknown");
     }
 
     /// However a line is cut off, it is not taken for another row.

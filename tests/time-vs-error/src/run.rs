@@ -4,6 +4,7 @@ use workbench::Image;
 
 use crate::error::Result;
 use crate::experiment::{Experiment, Job};
+use crate::flip::flip;
 use crate::measures;
 use crate::progress::Bar;
 use crate::results::Results;
@@ -135,7 +136,7 @@ impl Answers {
             Some(right.own_rel_mse()),
             Some(found.bias),
             Some(right.mean_error()),
-            None,
+            Some(flip(picture, &right.image)),
             shading,
             sampling,
         ]
