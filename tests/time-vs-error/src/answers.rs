@@ -38,7 +38,7 @@ pub fn efficiency(outcome: &Outcome<'_>) -> Option<String> {
         let interval = format!("{} to {}", factor(ratio.low), factor(ratio.high));
         let name = &curve.setting.name;
         let verdict = if ratio.is_open() { ", which is no clear difference" } else { "" };
-        Some(format!("`{name}` {} times as long ({interval}{verdict})", factor(ratio.value)))
+        Some(format!("`{name}` takes {} times as long ({interval}{verdict})", factor(ratio.value)))
     };
     let others = outcome.curves.iter().filter(|curve| curve.setting != fastest.setting);
     let others: Vec<String> = others.filter_map(other).collect();
@@ -73,7 +73,7 @@ pub fn bias(outcome: &Outcome<'_>) -> Option<String> {
 pub fn slopes(outcome: &Outcome<'_>) -> Option<String> {
     let slope = |curve: &Curve| {
         let law = curve.law().ok()?;
-        let value = format!("{:.2} ± {:.2}", law.exponent, law.standard_error).replace('-', "−");
+        let value = format!("{:.3} ± {:.3}", law.exponent, law.standard_error).replace('-', "−");
         Some(format!("`{}` {value}", curve.setting.name))
     };
     let slopes: Vec<String> = outcome.curves.iter().filter_map(slope).collect();

@@ -23,9 +23,9 @@ pub struct Point {
     pub samples: u32,
     /// How many seeds.
     pub seeds: usize,
-    /// Seconds of the render, see [`Row::render_seconds`].
+    /// Seconds of the render, see [`Row::spent`].
     pub render: Spread,
-    /// Seconds of building tree and lights.
+    /// Seconds of building tree and lights, likewise.
     pub build: Spread,
     /// Rays of the first seed.
     pub rays: u64,
@@ -160,8 +160,8 @@ impl Point {
         Some(Self {
             samples,
             seeds: rows.len(),
-            render: Spread::of(rows.iter().map(|row| row.render_seconds())),
-            build: Spread::of(rows.iter().map(|row| row.seconds[1])),
+            render: Spread::of(rows.iter().map(|row| row.spent()[2])),
+            build: Spread::of(rows.iter().map(|row| row.spent()[1])),
             rays: first.rays,
             rel_mse: mean(Measure::RelMse),
             rel_mse_median: Spread::of(measured(Measure::RelMse)).median,

@@ -12,10 +12,13 @@
 //! | [`comparison`], [`answers`], [`tables`], [`markdown`] | what that means, in words and numbers |
 //! | [`report`], [`plot`], [`foreign`] | the files beside it, also with other renderers' curves |
 //! | [`pictures`] | two settings at equal time and at equal error |
+//! | [`counts`] | what each stage does and skips |
+//! | `machine`, `progress` | where it ran, and how long it will run |
 //! | [`folder`], [`error`] | whole files; what can go wrong |
 
 pub mod answers;
 pub mod comparison;
+pub mod counts;
 pub mod csv;
 pub mod curve;
 pub mod error;
@@ -24,6 +27,7 @@ pub mod flip;
 pub mod folder;
 pub mod foreign;
 mod furnace;
+mod machine;
 pub mod markdown;
 pub mod matrix;
 pub mod measures;
@@ -43,7 +47,7 @@ pub mod truth;
 
 use error::{Error, Result};
 use experiment::Experiment;
-use options::Options;
+use options::{Command, Options};
 use pictures::PAIRS;
 use report::Outcome;
 use results::Results;
@@ -54,6 +58,27 @@ use stages::Stages;
 /// # Errors
 /// If a stage cannot be built or fails, a file cannot be read or written, or nothing is left to do.
 pub fn measure(options: &Options) -> Result<()> {
+    match options.command {
+        None => draw_curves(options),
+        Some(Command::Counts) => write_counts(options),
+    }
+}
+
+/// The size of the pictures whose rays are counted.
+const COUNTED: [u32; 2] = [64, 64];
+
+fn write_counts(options: &Options) -> Result<()> {
+    let stages = Stages::build()?;
+    let folder = options.folder();
+    std::fs::create_dir_all(folder).map_err(|error| Error::file(folder, error))?;
+    let counted = counts::count_all(&stages, COUNTED)?;
+    folder::write(&folder.join("counts.md"), counts::markdown(&counted))?;
+    let rounds = if options.quick { 1 } else { 5 };
+    let worths = counts::weigh_all(&stages, COUNTED, rounds)?;
+    folder::write(&folder.join("skips.md"), counts::worth_markdown(&worths))
+}
+
+fn draw_curves(options: &Options) -> Result<()> {
     let experiments = chosen(options)?;
     let foreign = options.rows.as_deref().map_or(Ok(Vec::new()), foreign::read)?;
     let stages = Stages::build()?;
@@ -61,6 +86,7 @@ pub fn measure(options: &Options) -> Result<()> {
     run::run(&experiments, &stages, &mut results)?;
     let outcomes: Vec<_> = experiments.iter().map(|e| Outcome::of(e, &results)).collect();
     report::write(options.folder(), &outcomes, &foreign)?;
+    folder::write(&options.folder().join("machine.md"), machine::text(&experiments, &results))?;
     if options.quick || options.only.is_some() {
         return Ok(());
     }

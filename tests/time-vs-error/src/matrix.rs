@@ -154,7 +154,7 @@ fn branching(extent: Extent) -> Experiment {
 /// Samples a pixel of a picture that others are held against.
 fn own_samples(extent: Extent) -> u32 {
     match extent {
-        Extent::Full => 8192,
+        Extent::Full => 4096,
         Extent::Quick => 512,
     }
 }
@@ -162,7 +162,7 @@ fn own_samples(extent: Extent) -> u32 {
 /// Where should a path end?
 fn ending(extent: Extent) -> Experiment {
     let samples: &[u32] = match extent {
-        Extent::Full => &[4, 16, 64, 256, 1024, 4096],
+        Extent::Full => &[4, 16, 64, 256, 1024],
         Extent::Quick => &[4, 16, 64],
     };
     let of = |name, options, price| setting(name, "path-tracing", options, samples, price);

@@ -17,7 +17,7 @@ use crate::row::COLUMNS;
 #[command(name = "time-vs-error", after_long_help = columns())]
 pub struct Options {
     /// Fewer seeds and samples: about a minute on two cores
-    #[arg(long)]
+    #[arg(long, global = true)]
     pub quick: bool,
 
     /// Only this scene, or only this stage of it
@@ -25,7 +25,7 @@ pub struct Options {
     pub only: Option<Only>,
 
     /// The file of all renders; summary, plots, tables and pictures are written beside it
-    #[arg(short, long, value_name = "FILE", default_value_os_t = default_output())]
+    #[arg(short, long, global = true, value_name = "FILE", default_value_os_t = default_output())]
     pub output: PathBuf,
 
     /// Curves of other renderers, drawn into the same plots: a CSV file with the columns

@@ -14,6 +14,7 @@ use crate::folder;
 use crate::markdown::{count, factor, table};
 use crate::measures;
 use crate::report::Outcome;
+use crate::row::spent;
 use crate::scene::{Answer, Scene};
 use crate::stages::Stages;
 use crate::truth::Truth;
@@ -143,7 +144,7 @@ fn take(
     Ok(Taken {
         name: setting.name.clone(),
         samples,
-        seconds: rendered.number("/seconds/render"),
+        seconds: spent(rendered.seconds(), rendered.cpu)[2],
         rel_mse: measures::errors(&rendered.image, truth).rel_mse,
         flip: flip(&rendered.image, &truth.image),
         image: rendered.image,

@@ -99,19 +99,10 @@ impl Row {
         self.errors[measure as usize]
     }
 
-    /// Seconds of rendering: processor time if it is known well enough, else wall time.
-    ///
-    /// On an idle machine the two are the same, with one thread. On one that is shared, wall time
-    /// contains what others did meanwhile. Processor time comes in hundredths and is that of the
-    /// whole process, so loading and building are taken off, and short renders keep the wall time.
+    /// Seconds of loading, of building, of rendering, see [`spent`].
     #[must_use]
-    pub fn render_seconds(&self) -> f64 {
-        const WELL_ENOUGH: f64 = 0.2;
-        let [load, build, render] = self.seconds;
-        match self.cpu {
-            Some(cpu) if cpu - load - build >= WELL_ENOUGH => (cpu - load - build).min(render),
-            _ => render,
-        }
+    pub fn spent(&self) -> [f64; 3] {
+        spent(self.seconds, self.cpu)
     }
 
     /// The line of the CSV file, without its end.
@@ -180,6 +171,21 @@ impl Row {
     }
 }
 
+/// What a process spent on loading, on building and on rendering: its processor time, shared out as
+/// the clock saw the three; or what the clock said, if the processor time is not known to a tenth.
+///
+/// On an idle machine the two are the same, with one thread. On one that is shared, the clock
+/// counts what others did meanwhile. Processor time comes in hundredths of a second.
+#[must_use]
+pub fn spent(seconds: [f64; 3], cpu: Option<f64>) -> [f64; 3] {
+    const KNOWN: f64 = 0.1;
+    let all: f64 = seconds.iter().sum();
+    match cpu {
+        Some(cpu) if cpu >= KNOWN && cpu < all => seconds.map(|part| part * cpu / all),
+        _ => seconds,
+    }
+}
+
 /// The first line of the file.
 #[must_use]
 pub fn header() -> String {
@@ -193,7 +199,7 @@ fn number(value: f64) -> String {
 
 #[cfg(test)]
 pub(crate) mod tests {
-    use super::{COLUMNS, Key, Row, header};
+    use super::{COLUMNS, Key, Row, header, spent};
 
     pub(crate) fn example(setting: &str, samples: u32, seed: u64) -> Row {
         Row {
@@ -229,13 +235,11 @@ pub(crate) mod tests {
 
     #[test]
     fn a_long_render_is_timed_by_the_processor_and_a_short_one_by_the_clock() {
-        let time = |cpu, render| {
-            let seconds = [0.01, 0.04, render];
-            Row { cpu, seconds, ..example("cosine", 1, 0) }.render_seconds()
-        };
-        assert!((time(Some(1.05), 3.0) - 1.0).abs() < 1e-12, "{}", time(Some(1.05), 3.0));
-        assert_eq!(time(Some(1.05), 0.9), 0.9, "never more than the clock says");
-        assert_eq!([time(Some(0.1), 0.06), time(None, 0.5)], [0.06, 0.5], "short, and unknown");
+        let parts = [0.5, 1.0, 2.5];
+        assert_eq!(spent(parts, Some(1.0)), [0.125, 0.25, 0.625], "a quarter of the clock's time");
+        assert_eq!(spent(parts, Some(4.1)), parts, "never more than the clock says");
+        assert_eq!(spent(parts, Some(0.09)), parts, "too short to be known");
+        assert_eq!(spent(parts, None), parts, "unknown");
     }
 
     /// However a line is cut off, it is not taken for another row.

@@ -104,15 +104,13 @@ impl Answers {
     }
 
     fn row(&self, job: &Job<'_>, rendered: &Rendered) -> Row {
-        let seconds =
-            ["load", "build", "render"].map(|s| rendered.number(&format!("/seconds/{s}")));
         let position = job.experiment.settings.iter().position(|s| s == job.setting);
         let own = position.and_then(|i| self.own[i].as_ref());
         Row {
             key: key(job),
             setting: job.setting.name.clone(),
             rays: rendered.rays(),
-            seconds,
+            seconds: rendered.seconds(),
             cpu: rendered.cpu,
             mean: measures::grey_mean(&rendered.image),
             errors: self.errors(&rendered.image, own),

@@ -113,6 +113,12 @@ impl Rendered {
         self.stats.pointer(pointer).and_then(Value::as_f64).unwrap_or(f64::NAN)
     }
 
+    /// Wall seconds of loading, building and rendering.
+    #[must_use]
+    pub fn seconds(&self) -> [f64; 3] {
+        ["load", "build", "render"].map(|part| self.number(&format!("/seconds/{part}")))
+    }
+
     /// All rays together.
     #[must_use]
     pub fn rays(&self) -> u64 {

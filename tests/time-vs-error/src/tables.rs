@@ -26,7 +26,7 @@ pub fn errors(outcome: &Outcome<'_>) -> String {
         let point = curve.last()?;
         let slope = curve.law().map_or_else(
             |_| "–".to_owned(),
-            |law| format!("{:.2} ± {:.2}", law.exponent, law.standard_error).replace('-', "−"),
+            |law| format!("{:.3} ± {:.3}", law.exponent, law.standard_error).replace('-', "−"),
         );
         Some(vec![
             curve.setting.name.clone(),
@@ -86,11 +86,12 @@ impl Gain {
         let [tree, none] = [0, 1].map(|i| outcome.curves.get(i).and_then(Curve::last));
         let (tree, none) = (tree?, none?);
         let sample = |point: &Point| point.render.median / f64::from(point.samples);
+        let common = outcome.curves[0].points.iter().find(|p| p.samples == none.samples)?;
         Some(Self {
             triangles: outcome.experiment.scene.triangles()?,
             render: sample(none) / sample(tree),
             with_building: (sample(none) + none.build.median) / (sample(tree) + tree.build.median),
-            same_picture: tree.pictures == none.pictures,
+            same_picture: common.pictures == none.pictures,
         })
     }
 }
