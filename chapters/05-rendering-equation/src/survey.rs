@@ -61,7 +61,13 @@ pub struct Code {
 /// all that depends on it.
 ///
 /// Five things that a scene may have or not would make 32 programs. Three are enough: for scenes with
-/// nothing special, for those that light does not enter, and for all.
+/// nothing special, for those without glass, and for all.
+///
+/// On `cornell-box` the code for matte surfaces executes 6.5 % fewer instructions than that for any
+/// scene in this chapter, 5.9 % in chapter 6 and 4.2 % in chapter 7 (`--for-any-scene`, with 32 × 32
+/// pixels, 16 samples, depth 8 and one thread, under `valgrind --tool=callgrind`). It is as fast as if
+/// there were no other: with `Materials::at` that knows nothing but k_d, the counts are 0.2 %, 0.2 %
+/// and 0.0 % smaller (depth 4).
 pub trait Has: Sync + 'static {
     /// Boundaries of glass.
     const GLASS: bool;
