@@ -15,9 +15,9 @@ use crate::triangle::{self, ShearedRay};
 pub struct Geometry {
     /// Corners, in scene units.
     pub vertices: Vec<Vec3>,
-    /// Three indices into `vertices` for each triangle, counter-clockwise seen from its front. None is
-    /// without area: three corners on a line may be hit, by the roundings of the test, and have no
-    /// normal.
+    /// Three indices into `vertices` for each triangle, counter-clockwise seen from its front. None
+    /// is without area: three corners on a line may be hit, by the roundings of the test, and have
+    /// no normal.
     pub triangles: Vec<[u32; 3]>,
     /// Analytic spheres.
     pub spheres: Vec<Sphere>,

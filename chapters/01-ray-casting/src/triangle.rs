@@ -168,17 +168,17 @@ pub fn decide(
 /// Whether the hit, at depth `z`, lies in front of the origin whatever the roundings have done;
 /// behind it, if `forward` is the sign of −d_z instead of d_z.
 ///
-/// The plane through the vertices is z = z₀ + s_x x + s_y y. Moving vertex i by (δx, δy, δz) moves it
-/// at the hit by its weight times δz − s_x δx − s_y δy, so z is off by at most
+/// The plane through the vertices is z = z₀ + s_x x + s_y y. Moving vertex i by (δx, δy, δz) moves
+/// it at the hit by its weight times δz − s_x δx − s_y δy, so z is off by at most
 ///
 /// ```text
 /// γ(1) S + γ(12) S (|s_x| + |s_y|),   |s_x| + |s_y| ≤ 16 S² / |U + V + W|
 /// ```
 ///
 /// where S is the largest |component| of a sheared vertex, of which those of v − o are at most the
-/// double, and the slopes are quotients of products of edges. γ(16) leaves room for the slopes being
-/// those of the rounded vertices. A small triangle far away has a poor bound for its slopes; there it
-/// is enough that all vertices lie in front.
+/// double, and the slopes are quotients of products of edges. γ(16) leaves room for the slopes
+/// being those of the rounded vertices. A small triangle far away has a poor bound for its slopes;
+/// there it is enough that all vertices lie in front.
 #[inline]
 fn lies_in_front(forward: f64, sheared: &[[f32; 3]; 3], z: f64, det: f64) -> bool {
     let [a, b, c] = sheared.map(|p| forward as f32 * p[2]);
@@ -212,16 +212,17 @@ fn size(sheared: &[[f32; 3]; 3]) -> f32 {
 /// N = (v₁ − v₀) × (v₂ − v₀),   N·(v₀ − o) / N·d
 /// ```
 ///
-/// Differences of `f32` are (nearly) exact in `f64`, so both signs are right as long as they matter:
-/// the origin of a spawned ray is away from its triangle by much more than the roundings here. Two
-/// cases remain:
+/// Differences of `f32` are (nearly) exact in `f64`, so both signs are right as long as they
+/// matter: the origin of a spawned ray is away from its triangle by much more than the roundings
+/// here. Two cases remain:
 ///
-/// - Which side a ray is spawned on was decided by a rounded N·d, γ(5) off, and a ray toward a point
-///   has its direction rounded again, by γ(2). If N·d is zero up to that, γ(8) in all, a ray that
-///   starts at the surface may start on the one side and lead to the other. It runs along the
+/// - Which side a ray is spawned on was decided by a rounded N·d, γ(5) off, and a ray toward a
+///   point has its direction rounded again, by γ(2). If N·d is zero up to that, γ(8) in all, a ray
+///   that starts at the surface may start on the one side and lead to the other. It runs along the
 ///   surface, and does not meet it.
-/// - A hit that rounding has put behind the near end of the extent is put back: as near as a hit can
-///   be. Otherwise a ray that starts in the corner of a room, next to one wall, would leave through it.
+/// - A hit that rounding has put behind the near end of the extent is put back: as near as a hit
+///   can be. Otherwise a ray that starts in the corner of a room, next to one wall, would leave
+///   through it.
 #[inline(never)] // hardly ever called: it would only be in the way of the loop over triangles
 fn settle(ray: &Ray, vertices: [Vec3; 3], t: f32) -> Option<f32> {
     let Ray { origin, direction, extent } = *ray;
@@ -245,8 +246,8 @@ fn settle(ray: &Ray, vertices: [Vec3; 3], t: f32) -> Option<f32> {
 
 /// The corners in the same order, but with that first which the two shorter edges meet in.
 ///
-/// Two long edges of a needle are so nearly parallel that even in double precision their product can
-/// lose the normal: one of length 5·10⁷ and width 0.07 was off by more than a float is wide.
+/// Two long edges of a needle are so nearly parallel that even in double precision their product
+/// can lose the normal: one of length 5·10⁷ and width 0.07 was off by more than a float is wide.
 fn opposite_the_longest_edge([a, b, c]: [DVec3; 3]) -> [DVec3; 3] {
     let [ab, bc, ca] = [b - a, c - b, a - c].map(DVec3::length_squared);
     if bc >= ab.max(ca) {

@@ -77,6 +77,6 @@ impl FourIntervals {
 /// The watertight triangle test moves a vertex v by at most γ(6) max |v − o| before it decides (see
 /// `ray_casting::triangle`), so it may report a hit on a ray that passes the triangle at that
 /// distance. It may also put a hit forward to the origin that rounding has left behind; the volume
-/// then holds a point behind the origin, of the moved triangle, and one ahead of it, of the true one,
-/// and so the origin between them. γ(12) leaves room for the roundings of this padding itself.
+/// then holds a point behind the origin, of the moved triangle, and one ahead of it, of the true
+/// one, and so the origin between them. γ(12) leaves room for the roundings of this padding itself.
 pub(crate) const PADDING: f32 = ray_casting::math::gamma(12);

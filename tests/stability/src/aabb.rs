@@ -169,8 +169,8 @@ fn some_ray(volume: &Aabb, random: &mut Random) -> Option<Ray> {
 }
 
 /// tmax at the entry finds the box, and well before the entry it does not. The catalogue asks for a
-/// miss already at tEntry (1 − 2 u); but boxes are widened by γ(12) of their reach for what the test of
-/// a triangle rounds, by γ(2) |o|, and by γ(6) of t, so that much has to be left out.
+/// miss already at tEntry (1 − 2 u); but boxes are widened by γ(12) of their reach for what the
+/// test of a triangle rounds, by γ(2) |o|, and by γ(6) of t, so that much has to be left out.
 fn a_box_begins_where_its_nearest_plane_is_or_a_little_before(trial: &mut Trial) {
     for _ in 0..trial.rays {
         let volume = some_box(&mut trial.random);
@@ -198,8 +198,8 @@ fn a_box_begins_where_its_nearest_plane_is_or_a_little_before(trial: &mut Trial)
     }
 }
 
-/// o, d and t are small whole numbers times powers of two, so p = o + t d is exact: on the line. Beside
-/// it by 64 u of the reach, in the direction of an axis across the ray, the point is missed.
+/// o, d and t are small whole numbers times powers of two, so p = o + t d is exact: on the line.
+/// Beside it by 64 u of the reach, in the direction of an axis across the ray, the point is missed.
 fn a_box_of_one_point_is_met_on_the_line_and_not_beside_it(trial: &mut Trial) {
     for _ in 0..trial.rays {
         let random = &mut trial.random;
@@ -232,10 +232,10 @@ fn a_box_of_one_point_is_met_on_the_line_and_not_beside_it(trial: &mut Trial) {
 }
 
 /// Boxes and rays over twelve orders of magnitude, rays to corners, edges and faces, along axes and
-/// faces, from within. A box that the exact ray meets is met, for all the t of which it is inside; one
-/// that it misses is met only if the ray comes as close as the box is widened, 24 u of reach and |o|:
-/// 12 for the test of a triangle, 10 for roundings along the ray, 2 for those of o. Error in u of
-/// that sum. And what a triangle in the box reports lies inside.
+/// faces, from within. A box that the exact ray meets is met, for all the t of which it is inside;
+/// one that it misses is met only if the ray comes as close as the box is widened, 24 u of reach
+/// and |o|: 12 for the test of a triangle, 10 for roundings along the ray, 2 for those of o. Error
+/// in u of that sum. And what a triangle in the box reports lies inside.
 fn no_box_is_missed_and_what_is_met_in_vain_is_close(trial: &mut Trial) {
     for i in 0..trial.rays {
         let volume = some_box(&mut trial.random);
@@ -307,9 +307,9 @@ fn the_largest_and_the_smallest_boxes_are_not_missed(trial: &mut Trial) {
     }
 }
 
-/// One component or more of origin or direction is NaN or ±∞, the others are anything at all: the tree
-/// reports no hit and tests no box, so such a ray costs less than any other; and a box by itself
-/// answers with an interval that is not NaN.
+/// One component or more of origin or direction is NaN or ±∞, the others are anything at all: the
+/// tree reports no hit and tests no box, so such a ray costs less than any other; and a box by
+/// itself answers with an interval that is not NaN.
 fn a_ray_that_is_not_finite_meets_nothing_at_no_cost(trial: &mut Trial) {
     let recorder = Recorder::new();
     let ball = ball(Vec3::ZERO, &mut trial.random);
@@ -358,9 +358,9 @@ fn a_box_around_nothing_is_never_met(trial: &mut Trial) {
 }
 
 /// A slab without padding, its ends against double precision: never inside of the true ones (nor of
-/// those rounded to `f32`, as a hit's t is), and outside by at most γ(10) of t, the catalogue's γ(3)
-/// for the test itself, γ(6) for the correction and one for applying it; and by what γ(2) |o|, rounded
-/// once, is along the ray. Error in that bound.
+/// those rounded to `f32`, as a hit's t is), and outside by at most γ(10) of t, the catalogue's
+/// γ(3) for the test itself, γ(6) for the correction and one for applying it; and by what γ(2) |o|,
+/// rounded once, is along the ray. Error in that bound.
 fn the_ends_of_a_slab_are_off_by_a_few_roundings_outward(trial: &mut Trial) {
     for i in 0..trial.rays {
         let random = &mut trial.random;

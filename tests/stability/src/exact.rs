@@ -1,4 +1,5 @@
-//! Exact arithmetic: sums of doubles that are not rounded, for decisions that no rounding may touch.
+//! Exact arithmetic: sums of doubles that are not rounded, for decisions that no rounding may
+//! touch.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Sub};

@@ -50,8 +50,8 @@ fn grazed_floor(random: &mut Random) -> (Geometry, Ray) {
     (floor, Ray::new((beside + height * n).as_vec3(), direction))
 }
 
-/// A square 4·10⁶ wide at 10⁶ from the origin, tilted in any way, and a ray from near the origin to a
-/// point of it.
+/// A square 4·10⁶ wide at 10⁶ from the origin, tilted in any way, and a ray from near the origin to
+/// a point of it.
 fn tilted_plane(random: &mut Random) -> Option<(Geometry, Ray)> {
     let normal = if random.below(4) == 0 { DVec3::ONE.normalize() } else { random.direction() };
     let (u, v) = normal.any_orthonormal_pair();
@@ -62,16 +62,16 @@ fn tilted_plane(random: &mut Random) -> Option<(Geometry, Ray)> {
     Some((plane, toward(origin.as_vec3(), target.as_vec3())?))
 }
 
-/// How far the t of a hit may be off: the vertices are moved by γ(1) S along the ray's longest axis z
-/// and by γ(6) S across, where S is the largest component of a vertex seen from the origin. The plane
-/// through them then moves, along the ray, by
+/// How far the t of a hit may be off: the vertices are moved by γ(1) S along the ray's longest axis
+/// z and by γ(6) S across, where S is the largest component of a vertex seen from the origin. The
+/// plane through them then moves, along the ray, by
 ///
 /// ```text
 /// γ(1) S / |d_z| + γ(6) S (|n_x| + |n_y|) / |n·d|
 /// ```
 ///
-/// and t is rounded once more. This is the catalogue's "one cancellation over n·d", with S in place of
-/// |o| and |δ|: the plane is known by its corners.
+/// and t is rounded once more. This is the catalogue's "one cancellation over n·d", with S in place
+/// of |o| and |δ|: the plane is known by its corners.
 fn bound(ray: &Ray, [v0, v1, v2]: [DVec3; 3], n: DVec3, t: f64) -> f64 {
     let (o, d) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
     let size = [v0, v1, v2].map(|v| (v - o).abs().max_element()).into_iter().fold(0.0, f64::max);
@@ -114,10 +114,10 @@ fn a_distant_plane_is_hit_within_its_bound(trial: &mut Trial) {
 /// Spawned rays for each hit.
 const PER_HIT: u64 = 16;
 
-/// From hits of the two kinds above: a spawned ray starts on the side of the exact plane to which it
-/// leads (or on it), unless it leads to neither by γ(8); it never meets its own triangle again, and
-/// the other half of the square only where that is right: rounding has bent the square a little, so
-/// that one half stands in the way of rays that graze the other, or shows them its edge.
+/// From hits of the two kinds above: a spawned ray starts on the side of the exact plane to which
+/// it leads (or on it), unless it leads to neither by γ(8); it never meets its own triangle again,
+/// and the other half of the square only where that is right: rounding has bent the square a
+/// little, so that one half stands in the way of rays that graze the other, or shows them its edge.
 fn rays_leave_a_plane_on_their_side_and_do_not_meet_it(trial: &mut Trial) {
     for i in 0..trial.rays.div_ceil(PER_HIT) {
         let random = &mut trial.random;

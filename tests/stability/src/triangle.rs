@@ -57,7 +57,8 @@ fn anywhere(random: &mut Random) -> Vec3 {
 }
 
 /// A triangle of some kind and scale, and a ray aimed at a point of its plane, near or in it: round
-/// ones and needles, seen from near and far, half of them along the plane, and half of those almost.
+/// ones and needles, seen from near and far, half of them along the plane, and half of those
+/// almost.
 pub(crate) fn some_case(random: &mut Random) -> Option<(Corners, Ray)> {
     let scale = random.magnitude(-8.0, 8.0);
     let offset = random.magnitude(-2.0, 3.0) * random.direction();
@@ -80,8 +81,8 @@ pub(crate) fn some_case(random: &mut Random) -> Option<(Corners, Ray)> {
     Some(([a, b, c].map(place), ray))
 }
 
-/// A parallelogram a, b, c, d of any scale and pose, and a ray aimed at a point of the diagonal a-c:
-/// one of its triangles is hit.
+/// A parallelogram a, b, c, d of any scale and pose, and a ray aimed at a point of the diagonal
+/// a-c: one of its triangles is hit.
 fn no_ray_slips_through_the_diagonal_of_a_parallelogram(trial: &mut Trial) {
     for _ in 0..trial.rays {
         let random = &mut trial.random;
@@ -105,9 +106,9 @@ fn no_ray_slips_through_the_diagonal_of_a_parallelogram(trial: &mut Trial) {
     }
 }
 
-/// A ball of 448 triangles between the radii 1 and 6 around `center`, another one each time, and rays
-/// from within: a quarter anywhere, a quarter to a vertex, a quarter to a point of an edge, and a
-/// quarter that leave inward from where they met the ball, close to an edge.
+/// A ball of 448 triangles between the radii 1 and 6 around `center`, another one each time, and
+/// rays from within: a quarter anywhere, a quarter to a vertex, a quarter to a point of an edge,
+/// and a quarter that leave inward from where they met the ball, close to an edge.
 ///
 /// The search is that of a tree, which has the same triangle test and twenty times the rays.
 fn sealed(trial: &mut Trial, center: Vec3) {
@@ -180,13 +181,14 @@ fn exact_side(ray: &Ray, a: Vec3, b: Vec3) -> Ordering {
     exact::dot(&exact::vector(ray.direction), &exact::cross(&from, &to)).sign()
 }
 
-/// [`sealed`] at the origin, where the test of Möller and Trumbore loses 5.8 % of the rays to vertices
-/// and 9.3 % of those to edges.
+/// [`sealed`] at the origin, where the test of Möller and Trumbore loses 5.8 % of the rays to
+/// vertices and 9.3 % of those to edges.
 fn no_ray_leaves_a_closed_mesh(trial: &mut Trial) {
     sealed(trial, Vec3::ZERO);
 }
 
-/// [`sealed`] at (1000, −2000, 500) and at (148376, 1234, −223423), a place from the tests of Embree.
+/// [`sealed`] at (1000, −2000, 500) and at (148376, 1234, −223423), a place from the tests of
+/// Embree.
 fn no_ray_leaves_a_closed_mesh_where_coordinates_are_coarse(trial: &mut Trial) {
     let rays = trial.rays;
     trial.rays = rays.div_ceil(2);
@@ -224,8 +226,9 @@ fn the_edges_of_needles_are_decided_exactly(trial: &mut Trial) {
 
 /// Coordinates are integers below 2¹⁹, the direction is (p, q, ±4) with |p|, |q| ≤ 4 in some order:
 /// differences, shear and sheared vertices have at most 24 bits, and no rounding occurs before the
-/// edges are decided. The needle's middle corner is the grid point next to its long edge, at a third
-/// of a unit from it: an aspect of 10⁶. The ray passes through a grid point at or beside that edge.
+/// edges are decided. The needle's middle corner is the grid point next to its long edge, at a
+/// third of a unit from it: an aspect of 10⁶. The ray passes through a grid point at or beside that
+/// edge.
 ///
 /// A hit is expected just if the three integers U, V, W have no two signs, their sum is not 0, and
 /// the plane lies ahead. (They are below 2⁴⁶, so doubles are integers here.) An origin next to the
@@ -284,8 +287,8 @@ impl Seen {
         Self { at, error: gamma(6) * v.abs().max_element() }
     }
 
-    /// On which side of the edge from `self` to `to` the ray passes; `Equal` if the roundings of the
-    /// vertices decide that. Those of double precision are 2⁻²⁶ as large and do not count.
+    /// On which side of the edge from `self` to `to` the ray passes; `Equal` if the roundings of
+    /// the vertices decide that. Those of double precision are 2⁻²⁶ as large and do not count.
     fn side(&self, to: &Self) -> Ordering {
         let (a, b) = (self.at, to.at);
         let cross = a.x * b.y - a.y * b.x;
@@ -394,13 +397,13 @@ fn every_corner_may_come_first(trial: &mut Trial) {
     }
 }
 
-/// An equilateral triangle around the origin, 1 to 10⁻⁴ wide, seen head on or up to 85° aside from 1
-/// to 10⁴ away: its middle is hit as long as it looks large enough.
+/// An equilateral triangle around the origin, 1 to 10⁻⁴ wide, seen head on or up to 85° aside from
+/// 1 to 10⁴ away: its middle is hit as long as it looks large enough.
 ///
-/// Rounding moves a vertex by up to γ(6) √2 of the distance D, and direction and target move the ray
-/// by another 2 u D; so a circle of 11 u D around the middle has to be visible. (The catalogue asks
-/// for an edge of 8 u D, of which that circle is ¼ at best: of such triangles, up to 70° aside, one in
-/// 600 000 is lost.)
+/// Rounding moves a vertex by up to γ(6) √2 of the distance D, and direction and target move the
+/// ray by another 2 u D; so a circle of 11 u D around the middle has to be visible. (The catalogue
+/// asks for an edge of 8 u D, of which that circle is ¼ at best: of such triangles, up to 70°
+/// aside, one in 600 000 is lost.)
 fn small_and_distant_triangles_are_hit_in_their_middle(trial: &mut Trial) {
     for _ in 0..trial.rays {
         let random = &mut trial.random;
@@ -448,8 +451,8 @@ fn wild_case(random: &mut Random) -> (Scene, Option<Ray>) {
 /// Spawned rays for each hit.
 const PER_HIT: u64 = 16;
 
-/// Triangles of 16 decades, in every coordinate by itself: no ray that leaves one meets it again, be
-/// it in any direction, almost along the triangle, or toward a point.
+/// Triangles of 16 decades, in every coordinate by itself: no ray that leaves one meets it again,
+/// be it in any direction, almost along the triangle, or toward a point.
 fn no_ray_meets_again_the_triangle_that_it_leaves(trial: &mut Trial) {
     for _ in 0..trial.rays.div_ceil(PER_HIT) {
         let (scene, ray) = wild_case(&mut trial.random);
@@ -476,8 +479,8 @@ fn no_ray_meets_again_the_triangle_that_it_leaves(trial: &mut Trial) {
     }
 }
 
-/// The exact point with the weights of a hit, b₁ and b₂ as they are and b₀ = 1 − b₁ − b₂, lies in the
-/// box around the position; and the box is no larger than γ(7) Σ |bᵢ vᵢ|, but for 2⁻⁴⁷ of the
+/// The exact point with the weights of a hit, b₁ and b₂ as they are and b₀ = 1 − b₁ − b₂, lies in
+/// the box around the position; and the box is no larger than γ(7) Σ |bᵢ vᵢ|, but for 2⁻⁴⁷ of the
 /// numbers that went into it. Error in widths of the box.
 fn the_box_around_a_point_contains_the_exact_point(trial: &mut Trial) {
     for _ in 0..trial.rays {
@@ -505,15 +508,15 @@ fn the_box_around_a_point_contains_the_exact_point(trial: &mut Trial) {
     }
 }
 
-/// Origins at a point of a triangle as far as floats can say, in every direction, half of them almost
-/// along the triangle. The test has no δt below which a hit would not count; instead
+/// Origins at a point of a triangle as far as floats can say, in every direction, half of them
+/// almost along the triangle. The test has no δt below which a hit would not count; instead
 ///
 /// - a ray whose exact t is 0 or less, or which runs parallel, misses, and
 /// - one whose exact t is more hits, if the edges do not decide otherwise (see T7),
 ///
-/// whatever t came out of rounded vertices. Two exceptions: an exact distance below 2⁻⁴⁸ of the size
-/// is zero as far as `settle` can see; and a ray that runs along the triangle (N·d is zero up to
-/// γ(8), the origin on it up to γ(8)) may miss.
+/// whatever t came out of rounded vertices. Two exceptions: an exact distance below 2⁻⁴⁸ of the
+/// size is zero as far as `settle` can see; and a ray that runs along the triangle (N·d is zero up
+/// to γ(8), the origin on it up to γ(8)) may miss.
 fn from_next_to_a_triangle_the_exact_plane_decides(trial: &mut Trial) {
     for _ in 0..trial.rays {
         let Some((corners, ray)) = beside_a_triangle(&mut trial.random) else { continue };
@@ -564,7 +567,8 @@ pub(crate) fn beside_a_triangle(random: &mut Random) -> Option<(Corners, Ray)> {
     Some(([a, b, c].map(|p| (scale * p).as_vec3()), ray))
 }
 
-/// On which side of each edge the ray passes, as far as the roundings of the vertices do not decide.
+/// On which side of each edge the ray passes, as far as the roundings of the vertices do not
+/// decide.
 fn edge_sides(ray: &Ray, corners: Corners) -> [Ordering; 3] {
     let [a, b, c] = corners.map(|v| Seen::new(ray, v));
     [a.side(&b), b.side(&c), c.side(&a)]
@@ -581,9 +585,9 @@ pub(crate) fn passes_an_edge(ray: &Ray, corners: Corners) -> bool {
     edge_sides(ray, corners).contains(&Ordering::Equal)
 }
 
-/// Slivers with an aspect of 10 to 10⁷, rays at an angle of 10⁻⁶ to 30° to them (Embree's thread 387
-/// tells of a hit at t = 12291 on a triangle within 600): t ≤ the distance of the farthest corner, to
-/// γ(7). Error in γ(7) of that distance, beyond it.
+/// Slivers with an aspect of 10 to 10⁷, rays at an angle of 10⁻⁶ to 30° to them (Embree's thread
+/// 387 tells of a hit at t = 12291 on a triangle within 600): t ≤ the distance of the farthest
+/// corner, to γ(7). Error in γ(7) of that distance, beyond it.
 fn no_hit_is_farther_than_the_farthest_corner(trial: &mut Trial) {
     for _ in 0..trial.rays {
         let random = &mut trial.random;
@@ -603,8 +607,8 @@ fn no_hit_is_farther_than_the_farthest_corner(trial: &mut Trial) {
     }
 }
 
-/// One coordinate or more is NaN or ±∞, the others are anything at all: never hit. Nor is a triangle
-/// of finite numbers hit at a t that is not one.
+/// One coordinate or more is NaN or ±∞, the others are anything at all: never hit. Nor is a
+/// triangle of finite numbers hit at a t that is not one.
 fn a_corner_that_is_not_finite_is_never_hit(trial: &mut Trial) {
     for _ in 0..trial.rays {
         let random = &mut trial.random;

@@ -79,9 +79,9 @@ fn without_normals_the_geometric_one_shades() {
     assert_eq!(inside.geometric_normal, Vec3::NEG_Z, "the sphere's front is the outside");
 }
 
-/// accuracy T5: three corners on a line could be hit by roundings alone, and have no normal. They are
-/// not let into a scene, be they so in the file or after they were moved. The numbers are those of
-/// pbrt-v4, `src/pbrt/shapes_test.cpp`, test `Triangle, BadCases`.
+/// accuracy T5: three corners on a line could be hit by roundings alone, and have no normal. They
+/// are not let into a scene, be they so in the file or after they were moved. The numbers are those
+/// of pbrt-v4, `src/pbrt/shapes_test.cpp`, test `Triangle, BadCases`.
 #[test]
 fn a_triangle_without_area_is_dropped() {
     let bad = "v -1113.45459 -79.049614 -56.2431908\nv -1113.45459 -87.0922699 -56.2431908\n\
