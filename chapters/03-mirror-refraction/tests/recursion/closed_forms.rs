@@ -115,3 +115,18 @@ fn the_tint_of_glass_counts_once_a_crossing() {
     let expected = 0.96 * 0.96 * Rgb::new(0.25, 1.0, 0.0625);
     assert!((through - expected).abs().max_element() <= 4.0 * U, "{through} for {expected}");
 }
+
+/// A ball of glass is a lens: rays near its axis meet at n / (2 (n − 1)) of its radius from the
+/// centre, 1.5 for n = 1.5. There stands a black card, in white surroundings: what is not reflected
+/// on the way, (1 − 0.04)² of the light, is dark. With the indices exchanged the rays spread.
+#[test]
+fn a_glass_ball_focuses_where_the_lens_formula_says() {
+    let mut scene = white([glass(1.5), black()]);
+    let card = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+    add_quad(&mut scene, card.map(|(x, y)| vec3(0.01 * x, 0.01 * y, -1.5)), 1);
+    add_sphere(&mut scene, Vec3::ZERO, 1.0, 0);
+    for (x, y) in [(0.1, 0.0), (-0.1, 0.0), (0.0, 0.1), (0.06, -0.08)] {
+        let light = radiance(&scene, head_on(x, y), depth(8)).x;
+        assert!((0.04..0.1).contains(&light), "({x}, {y}) sees {light}");
+    }
+}
