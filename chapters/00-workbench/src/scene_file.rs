@@ -218,11 +218,15 @@ impl<'a> SceneReader<'a> {
 
     fn sphere(&self, table: &Table<'a>) -> Result<SphereRecord, SceneError> {
         table.check_keys(&["center", "radius", "material"])?;
-        Ok(SphereRecord {
-            center: table.require("center")?.vector()?,
-            radius: table.require("radius")?.number_that(|r| r > 0.0, "it must be above 0")?,
-            material: self.material_index(&table.require("material")?)?,
-        })
+        let center: [f32; 3] = table.require("center")?.vector()?;
+        let item = table.require("radius")?;
+        let radius = item.number_that(|r| r > 0.0, "it must be above 0")?;
+        // A box around it must have corners.
+        if center.iter().any(|c| c.abs() + radius >= f32::MAX) {
+            return Err(item.error("makes the sphere reach beyond 32-bit numbers"));
+        }
+        let material = self.material_index(&table.require("material")?)?;
+        Ok(SphereRecord { center, radius, material })
     }
 
     fn quad(&self, table: &Table<'a>) -> Result<QuadRecord, SceneError> {

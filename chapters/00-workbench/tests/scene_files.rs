@@ -117,6 +117,7 @@ fn what_is_wrong_is_named_with_line_key_and_remedy() {
         (sphere("radius", "-inf"), &["line 10", "`radius`", "-inf", "finite"]),
         (sphere("radius", "1e39"), &["line 10", "`radius`", "1e39", "finite"]),
         (sphere("radius", "1e-60"), &["line 10", "`radius`", "above 0"]),
+        (sphere("radius", "3.4028234e38"), &["line 10", "`radius`", "beyond 32-bit"]),
         (sphere("radius", "'one'"), &["line 10", "`radius`", "numbers"]),
         (sphere("center", "[0, 0]"), &["line 9", "`center` has 2 values", "3"]),
         (sphere("center", "[0, 0, inf]"), &["line 9", "`center`", "inf", "finite"]),

@@ -16,7 +16,8 @@ pub struct Item {
 
 impl Item {
     /// Every primitive that a ray could hit: those with an infinite or undefined corner are left
-    /// out, since one such box would make all boxes around it useless.
+    /// out, since one such box would make all boxes around it useless. So are spheres that reach
+    /// beyond the largest number, which [`SceneFile`](workbench::SceneFile) refuses.
     #[must_use]
     pub fn all(geometry: &Geometry) -> Vec<Self> {
         (0..geometry.primitives())
