@@ -27,6 +27,7 @@ pub mod exact;
 pub mod laboratory;
 pub mod meshes;
 pub mod random;
+pub mod replay;
 pub mod report;
 pub mod scenes;
 pub mod trial;

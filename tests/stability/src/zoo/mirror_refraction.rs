@@ -83,6 +83,6 @@ pub(super) const MUTANTS: &[Mutant] = &[
         file: "chapters/03-mirror-refraction/src/boundaries.rs",
         old: "crossing.eta /= crossing.beyond.ior();",
         new: "crossing.eta = crossing.beyond.ior() / crossing.eta;",
-        test: Test::of(PACKAGE, "recursion", "an_eye_inside_glass_sees_through_its_surface"),
+        test: Test::of(PACKAGE, "recursion", "a_glass_ball_focuses_where_the_lens_formula_says"),
     },
 ];

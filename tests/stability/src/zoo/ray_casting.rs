@@ -13,7 +13,11 @@ pub(super) const MUTANTS: &[Mutant] = &[
         file: "chapters/01-ray-casting/src/camera.rs",
         old: "(height - 2.0 * point.y) / height",
         new: "(2.0 * point.y - height) / height",
-        test: Test::of(PACKAGE, "scenes", "up_is_up_in_the_picture_and_right_is_right"),
+        test: Test::of(
+            PACKAGE,
+            "scenes",
+            "the_corners_of_the_picture_are_where_the_angle_of_view_says",
+        ),
     },
     Mutant {
         name: "the sphere's school formula",
@@ -60,11 +64,7 @@ pub(super) const MUTANTS: &[Mutant] = &[
         file: "chapters/01-ray-casting/src/ray.rs",
         old: "self.extent.min < t && t <= self.extent.max",
         new: "self.extent.min <= t && t <= self.extent.max",
-        test: Test::of(
-            PACKAGE,
-            "kernels",
-            "a_hit_counts_up_to_the_far_end_and_not_at_the_near_one",
-        ),
+        test: Test::lib(PACKAGE, "rays_from_inside_and_from_the_surface_find_the_other_side"),
     },
     Mutant {
         name: "no offset at all",
