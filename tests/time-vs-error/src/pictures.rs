@@ -6,15 +6,13 @@ use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
 use workbench::Image;
 
-use crate::curve::{Curve, Point};
+use crate::curve::Curve;
 use crate::error::{Error, Result};
-use crate::experiment::Setting;
 use crate::flip::flip;
 use crate::folder;
 use crate::markdown::{count, factor, table};
 use crate::measures;
 use crate::report::Outcome;
-use crate::row::spent;
 use crate::scene::{Answer, Scene};
 use crate::stages::Stages;
 use crate::truth::Truth;
@@ -28,7 +26,8 @@ pub struct Pair {
     pub scene: &'static str,
     /// The first picture, with so many samples a pixel.
     pub first: (&'static str, u32),
-    /// The other two, with as many as take the same time, and as have the same error.
+    /// The other two, with as many as take the same time, and as have the same error if it falls as
+    /// 1/n from there.
     pub second: &'static str,
 }
 
@@ -53,6 +52,7 @@ struct Taken {
     name: String,
     samples: u32,
     image: Image,
+    /// At the size of the curves, from which it is known better than from one render.
     seconds: f64,
     rel_mse: f64,
     flip: f64,
@@ -82,16 +82,12 @@ impl Pair {
         let scene = large(&outcome.experiment.scene);
         let truth = Truth::of(&scene, stages)?
             .ok_or_else(|| Error::new(format!("{} has no right picture", self.question)))?;
-        let shot = |setting: &Setting, samples: u32| take(&scene, setting, samples, &truth, stages);
-        let wanted = [
-            (first, samples),
-            (second, for_time(first, second, samples)),
-            (second, for_error(first, second, samples)),
-        ];
-        let taken: Vec<Taken> = wanted
-            .iter()
-            .map(|(curve, samples)| shot(&curve.setting, *samples))
-            .collect::<Result<_>>()?;
+        let shot = |curve: &Curve, samples: u32| take(&scene, curve, samples, &truth, stages);
+        let shown = shot(first, samples)?;
+        let equal_time = shot(second, limited(shown.seconds / second.seconds_a_sample()))?;
+        let error = equal_time.rel_mse / shown.rel_mse;
+        let equal_error = shot(second, limited(f64::from(equal_time.samples) * error))?;
+        let taken = [shown, equal_time, equal_error];
         let stem = format!("{}-pictures", outcome.name());
         folder::write(&folder.join(format!("{stem}.md")), described(&taken))?;
         let pictures: Vec<&Image> = taken.iter().map(|taken| &taken.image).collect();
@@ -111,19 +107,6 @@ fn large(scene: &Scene) -> Scene {
     large
 }
 
-/// The samples of `second` that take as long as `samples` of `first`.
-fn for_time(first: &Curve, second: &Curve, samples: u32) -> u32 {
-    let time = f64::from(samples) * first.seconds_a_sample();
-    limited(time / second.seconds_a_sample())
-}
-
-/// The samples of `second` that have the error of `samples` of `first`, if both fall as 1/n.
-fn for_error(first: &Curve, second: &Curve, samples: u32) -> u32 {
-    let variance =
-        |point: Option<&Point>| point.map_or(f64::NAN, |p| p.rel_mse.value * f64::from(p.samples));
-    limited(f64::from(samples) * variance(second.last()) / variance(first.last()))
-}
-
 fn limited(samples: f64) -> u32 {
     // A NaN becomes 0, and that 1.
     (samples.round() as u32).clamp(1, MOST_SAMPLES)
@@ -131,12 +114,13 @@ fn limited(samples: f64) -> u32 {
 
 fn take(
     scene: &Scene,
-    setting: &Setting,
+    curve: &Curve,
     samples: u32,
     truth: &Truth,
     stages: &Stages,
 ) -> Result<Taken> {
     let [width, height] = scene.size;
+    let setting = &curve.setting;
     let options = &setting.options;
     // A seed that no measured picture has.
     let arguments = format!("{options} --size {width}x{height} --samples {samples} --seed 77");
@@ -144,7 +128,7 @@ fn take(
     Ok(Taken {
         name: setting.name.clone(),
         samples,
-        seconds: spent(rendered.seconds(), rendered.cpu)[2],
+        seconds: f64::from(samples) * curve.seconds_a_sample(),
         rel_mse: measures::errors(&rendered.image, truth).rel_mse,
         flip: flip(&rendered.image, &truth.image),
         image: rendered.image,

@@ -23,7 +23,7 @@ pub struct Plot {
 /// A curve of a plot.
 #[derive(Clone, Debug)]
 pub struct Line {
-    /// Written at its end.
+    /// Written beside the plot, with a line to the curve's end.
     pub name: String,
     /// Its points, from left to right.
     pub points: Vec<Mark>,
@@ -65,7 +65,7 @@ impl Plot {
         let frame = Frame {
             x: Decades::around(marks().map(|mark| mark.x)),
             y: Decades::around(marks().map(|mark| mark.y)),
-            right: WIDTH - 14.0 - LETTER * letters as f64,
+            right: WIDTH - 16.0 - LETTER * letters as f64,
         };
         let title = escape(&self.title);
         let mut svg = format!(
@@ -210,21 +210,25 @@ impl Frame {
                 let _ = write!(intervals, "M{x:.1} {high:.1}V{low:.1}");
             }
         }
-        let end = curve.points.last().map_or(LEFT, |mark| self.across(mark.x));
-        let (x, y, name) = (end + 8.0, name_height + 5.0, escape(&curve.name));
+        let end =
+            curve.points.last().map_or([LEFT, BOTTOM], |m| [self.across(m.x), self.down(m.y)]);
+        let leader =
+            format!("M{:.1} {:.1}L{:.1} {name_height:.1}", end[0], end[1], self.right + 6.0);
+        let (x, y, name) = (self.right + 9.0, name_height + 5.0, escape(&curve.name));
         let (class, dashes) = (i % 6 + 1, DASHES[i % 6]);
         let _ = writeln!(
             svg,
             "<g class=\"series-{class}\">\n\
              <path d=\"{path}\" stroke=\"currentColor\" stroke-width=\"2\" \
              stroke-dasharray=\"{dashes}\" stroke-linejoin=\"round\"/>\n\
+             <path d=\"{leader}\" stroke=\"currentColor\" opacity=\"0.4\"/>\n\
              <path d=\"{intervals}\" stroke=\"currentColor\"/>\n\
              <path d=\"{marks}\" fill=\"currentColor\"/>\n\
              <text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"currentColor\">{name}</text>\n</g>"
         );
     }
 
-    /// Where each name stands: beside its curve's last point, but not on another name.
+    /// At which height each name stands: that of its curve's end, but not on another name.
     fn name_heights(&self, curves: &[Line]) -> Vec<f64> {
         let end = |curve: &Line| curve.points.last().map_or(BOTTOM, |mark| self.down(mark.y));
         let mut order: Vec<(usize, f64)> = curves.iter().map(end).enumerate().collect();
@@ -243,13 +247,15 @@ impl Frame {
     }
 }
 
-/// A circle, square, triangle or diamond, about 8 pixels wide.
+/// A circle, square, triangle, diamond, triangle upside down or bar, about 8 pixels wide.
 fn symbol(i: usize, x: f64, y: f64) -> String {
-    match i % 4 {
+    match i % 6 {
         0 => format!("M{:.1} {y:.1}a4 4 0 1 0 8 0a4 4 0 1 0 -8 0z", x - 4.0),
         1 => format!("M{:.1} {:.1}h7v7h-7z", x - 3.5, y - 3.5),
         2 => format!("M{x:.1} {:.1}l4.5 8h-9z", y - 5.0),
-        _ => format!("M{x:.1} {:.1}l5 5l-5 5l-5 -5z", y - 5.0),
+        3 => format!("M{x:.1} {:.1}l5 5l-5 5l-5 -5z", y - 5.0),
+        4 => format!("M{x:.1} {:.1}l4.5 -8h-9z", y + 5.0),
+        _ => format!("M{:.1} {:.1}h10v4h-10z", x - 5.0, y - 2.0),
     }
 }
 
