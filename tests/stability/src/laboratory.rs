@@ -47,7 +47,7 @@ pub fn run(case: &Case, rays: u64, seed: u64, done: &(impl Fn(u64) + Sync)) -> O
     }
 }
 
-/// Asserts that one case of a table holds: what [`catalogue!`](crate::catalogue) makes tests of.
+/// Asserts that one case of a table holds: what [`catalogue!`](crate::catalogue!) makes tests of.
 ///
 /// # Panics
 ///

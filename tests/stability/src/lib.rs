@@ -18,6 +18,11 @@
 //! | [`report`] | the table of the long tier |
 //! | [`random`] | random numbers of any magnitude |
 //! | [`scenes`] | geometry without a file, and what a search finds in it |
+//! | [`meshes`], [`closed`] | meshes without a hole |
+//! | [`volumes`] | bounding volumes around some content |
+//! | [`exact`] | arithmetic without rounding |
+//! | [`replay`] | what fuzzers call, and what they once found |
+//! | [`zoo`] | mistakes, planted to see that a test notices them |
 //! | [`bits`] | units in the last place, and floats as exact bits |
 //! | the others | one component each, in the order in which the course meets them |
 

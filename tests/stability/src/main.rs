@@ -15,9 +15,9 @@ struct Arguments {
     /// Inputs of each case, such as 1e6; of one that costs k plain rays, a k-th of them
     #[arg(long, value_name = "N", default_value = "1e6", value_parser = whole)]
     rays: u64,
-    /// Only cases whose id is this, or whose fact or component contains it
-    #[arg(long, value_name = "TEXT", default_value = "")]
-    only: String,
+    /// Only these: ids, components, or parts of facts
+    #[arg(long, value_name = "TEXT,…", value_delimiter = ',')]
+    only: Vec<String>,
     /// Another seed is another set of inputs
     #[arg(long, value_name = "S", default_value_t = 0)]
     seed: u64,

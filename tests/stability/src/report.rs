@@ -17,8 +17,8 @@ use crate::trial::Found;
 pub struct Options {
     /// Plain rays a case.
     pub rays: u64,
-    /// A part of a component's name or of a fact, or an id; empty for all.
-    pub only: String,
+    /// Ids, components, and parts of facts; none for all.
+    pub only: Vec<String>,
     /// Of the random inputs.
     pub seed: u64,
     /// Where to write the table as Markdown, if anywhere.
@@ -40,7 +40,7 @@ struct Row {
 pub fn report(options: &Options) -> io::Result<bool> {
     let chosen = chosen(&options.only);
     if chosen.is_empty() {
-        return Err(io::Error::other(format!("no case that is tried fits `{}`", options.only)));
+        return Err(io::Error::other(format!("no case that is tried fits {:?}", options.only)));
     }
     let bar = bar(options.rays * chosen.len() as u64)?;
     println!("{:5} {:>14} {:>9} {:>10} {:>8}  fact", "case", "tried", "failed", "worst", "seconds");
@@ -60,11 +60,13 @@ pub fn report(options: &Options) -> io::Result<bool> {
     Ok(rows.iter().all(|row| row.found.holds()))
 }
 
-/// The cases that are tried here, and fit `only`.
-fn chosen(only: &str) -> Vec<Case> {
+/// The cases that are tried here, and fit one of `only`.
+fn chosen(only: &[String]) -> Vec<Case> {
     let all = catalogue().into_iter().flat_map(|(component, cases)| {
         let fits = move |case: &Case| {
-            only.is_empty() || case.id == only || case.fact.contains(only) || component == only
+            let fit =
+                |text: &String| case.id == text || component == text || case.fact.contains(text);
+            only.is_empty() || only.iter().any(fit)
         };
         cases.iter().copied().filter(fits)
     });
@@ -99,10 +101,12 @@ fn markdown(rows: &[Row], options: &Options) -> String {
             .expect("a string takes everything");
     }
     let (rays, seed) = (options.rays, options.seed);
+    let only = options.only.join(",");
+    let only = if only.is_empty() { only } else { format!(" --only {only}") };
     writeln!(
         text,
-        "\nMade by: `cargo run --release -p stability -- --rays {rays} --seed {seed}`. An error is \
-         in the unit that the case's comment states: as a rule in units in the last place, or of u."
+        "\nMade by: `cargo run --release -p stability -- --rays {rays} --seed {seed}{only}`. An error \
+         is in the unit that the case's comment states: as a rule in units in the last place, or of u."
     )
     .expect("a string takes everything");
     text
@@ -115,9 +119,12 @@ mod tests {
 
     #[test]
     fn cases_are_chosen_by_id_by_fact_and_by_component() {
-        assert_eq!(chosen("S3").len(), 1, "one id");
-        assert!(chosen("sphere").len() > 5, "a component");
-        assert!(chosen("self_that_nobody_has").is_empty(), "nothing");
+        let chosen =
+            |only: &[&str]| chosen(&only.iter().map(|&s| s.to_owned()).collect::<Vec<_>>());
+        assert_eq!(chosen(&["S3"]).len(), 1, "one id");
+        assert_eq!(chosen(&["S3", "S6"]).len(), 2, "two ids");
+        assert!(chosen(&["sphere"]).len() > 5, "a component");
+        assert!(chosen(&["self_that_nobody_has"]).is_empty(), "nothing");
     }
 
     /// 163 rows: nothing of the catalogue is forgotten, and nothing stands in it twice.
