@@ -17,6 +17,14 @@ fn glass(name: &str, ni: f32) -> String {
     special(name, "glass", "ni", &format!("{ni:?}"))
 }
 
+/// A scene in a sky of radiance 1, with the eye outside of everything: paths begin in what is around
+/// the eye, also those of [`from_outside`].
+fn outside(records: &str) -> Scene {
+    let mut scene = scene(1.0, records);
+    scene.camera.eye = vec3(0.0, 0.0, 9.0);
+    scene
+}
+
 /// From far away, through a random point of the ball of radius 2 around the origin.
 fn from_outside(sampler: &mut Sampler) -> Ray {
     let eye = 5.0 * uniform_sphere(sampler.next_2d());
@@ -38,19 +46,19 @@ fn assert_invisible(name: &str, scene: &Scene, samples: u64) {
 #[test]
 fn glass_is_invisible_in_even_light() {
     let ball = |radius, material| sphere([0.0; 3], radius, material);
-    let one = scene(1.0, &(glass("glass", 1.5) + &ball(1.5, "glass")));
+    let one = outside(&(glass("glass", 1.5) + &ball(1.5, "glass")));
     assert_invisible("a ball", &one, 20_000);
 
     let bubble = glass("glass", 1.5) + &glass("air", 1.0) + &ball(1.5, "glass") + &ball(1.2, "air");
-    assert_invisible("a bubble in a ball", &scene(1.0, &bubble), 20_000);
+    assert_invisible("a bubble in a ball", &outside(&bubble), 20_000);
 
     let core = glass("glass", 1.5) + &glass("core", 2.4) + &ball(1.5, "glass") + &ball(0.8, "core");
-    assert_invisible("a core in a ball", &scene(1.0, &core), 20_000);
+    assert_invisible("a core in a ball", &outside(&core), 20_000);
 
     let blocks = |right: &str| {
         let left = block([-0.75, 0.0, 0.0], [0.75, 0.8, 0.7], true, ["left"; 6]);
         let right = block([0.75, 0.0, 0.0], [0.75, 0.8, 0.7], true, [right; 6]);
-        scene(1.0, &(glass("left", 1.5) + &glass("right", 1.9) + &left + &right))
+        outside(&(glass("left", 1.5) + &glass("right", 1.9) + &left + &right))
     };
     assert_invisible("two blocks of one glass that touch", &blocks("left"), 20_000);
     assert_invisible("two blocks of two glasses that touch", &blocks("right"), 20_000);
@@ -109,7 +117,7 @@ fn the_mean_reflectance_of_glass_is_the_known_one_from_both_sides() {
 fn a_white_ball_in_glass_is_invisible_in_even_light() {
     let materials = glass("glass", 1.5) + &matte("white", 1.0, 0.0);
     let balls = sphere([0.0; 3], 1.5, "glass") + &sphere([0.3, 0.0, 0.2], 0.8, "white");
-    let scene = scene(1.0, &(materials + &balls));
+    let scene = outside(&(materials + &balls));
     let by_throughput = found(&scene, ROULETTE, Density::Cosine, 100_000, from_outside);
     assert_sees(0.01, "roulette by throughput", &by_throughput, 1.0);
     let by_constant = found(&scene, constant(0.9), Density::Cosine, 300_000, from_outside);
@@ -120,7 +128,7 @@ fn a_white_ball_in_glass_is_invisible_in_even_light() {
 /// of glass of index 1.9; here, with the light of all paths the same, no path has a reason to end.
 #[test]
 fn roulette_does_not_end_paths_because_glass_squeezes_light() {
-    let scene = scene(1.0, &(glass("glass", 1.9) + &sphere([0.0; 3], 1.5, "glass")));
+    let scene = outside(&(glass("glass", 1.9) + &sphere([0.0; 3], 1.5, "glass")));
     let moments: Moments = found(&scene, ROULETTE, Density::Cosine, 20_000, from_outside);
     assert!(moments.variance() < 1e-10, "variance {:e}", moments.variance());
     let off = Ending { depth: 64, roulette: path_tracing::Roulette::Off };
