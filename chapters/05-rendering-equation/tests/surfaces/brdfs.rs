@@ -129,6 +129,14 @@ fn nothing_is_reflected_below_the_surface() {
         assert_eq!(brdf.eval(wi), Rgb::ZERO, "f toward {wi}");
         assert_eq!(brdf.pdf(Density::Cosine, wi), 0.0, "p toward {wi}");
     }
+    // An interpolated normal of 30°: above it and below the surface, and the other way round.
+    let tilted = Brdf { normal: at_degrees(30.0), ..brdf };
+    for degrees in [100.0, -70.0] {
+        let wi = at_degrees(degrees);
+        assert!((tilted.facing.dot(wi) > 0.0) != (tilted.normal.dot(wi) > 0.0), "{degrees}°");
+        assert_eq!(tilted.eval(wi), Rgb::ZERO, "f toward {degrees}°");
+        assert_eq!(tilted.pdf(Density::Cosine, wi), 0.0, "p toward {degrees}°");
+    }
 }
 
 #[test]
