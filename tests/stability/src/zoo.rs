@@ -6,7 +6,7 @@
 //! *mutant* is one small change of one source file, and names the one test that has to fail.
 //!
 //! ```text
-//! cargo run --release -p stability --bin zoo              all of them: half an hour on two cores
+//! cargo run --release -p stability --bin zoo              all of them: half an hour of two cores
 //! cargo run --release -p stability --bin zoo -- --only roulette
 //! cargo run --release -p stability --bin zoo -- --write   and the table of the book
 //! ```
