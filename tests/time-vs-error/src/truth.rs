@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use statistics::Moments;
 use workbench::Image;
 
 use crate::error::{Error, Result};
@@ -96,17 +97,15 @@ impl Truth {
 
     /// The mean of pictures, and the variance of that mean.
     fn of_batches(pictures: &[Image]) -> Self {
-        let n = pictures.len() as f64;
         let mut image = pictures[0].clone();
         let mut variance = vec![[0.0; 3]; image.pixels.len()];
-        for i in 0..image.pixels.len() {
-            for c in 0..3 {
-                let values = || pictures.iter().map(|picture| f64::from(picture.pixels[i][c]));
-                let mean = values().sum::<f64>() / n;
-                let squares: f64 = values().map(|value| (value - mean).powi(2)).sum();
-                image.pixels[i][c] = mean as f32;
-                variance[i][c] = (squares / (n - 1.0) / n) as f32;
-            }
+        let pixels = image.pixels.iter_mut().zip(&mut variance).enumerate();
+        for (i, (pixel, variance)) in pixels {
+            let channels = [0, 1, 2].map(|c| -> Moments {
+                pictures.iter().map(|picture| f64::from(picture.pixels[i][c])).collect()
+            });
+            *pixel = channels.each_ref().map(|moments| moments.mean() as f32);
+            *variance = channels.each_ref().map(|moments| moments.variance_of_mean() as f32);
         }
         Self { image, variance }
     }
