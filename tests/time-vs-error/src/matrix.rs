@@ -6,7 +6,7 @@ use crate::scene::{Answer, Scene};
 /// How much of the matrix is run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extent {
-    /// About twenty minutes.
+    /// About ten minutes of processor time.
     Full,
     /// About a minute: fewer seeds, fewer samples.
     Quick,

@@ -16,7 +16,7 @@ use crate::row::COLUMNS;
 #[derive(Parser, Debug)]
 #[command(name = "time-vs-error", after_long_help = columns())]
 pub struct Options {
-    /// Fewer seeds and samples: about a minute on two cores
+    /// Fewer seeds and samples: a minute at most
     #[arg(long, global = true)]
     pub quick: bool,
 
