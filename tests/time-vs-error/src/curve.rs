@@ -31,6 +31,8 @@ pub struct Point {
     pub rays: u64,
     /// relMSE, less the reference's own; the mean is what falls as 1/n.
     pub rel_mse: Mean,
+    /// relMSE of each seed.
+    pub rel_mses: Vec<f64>,
     /// Half of the seeds are better.
     pub rel_mse_median: f64,
     /// relMSE without the worst pixels.
@@ -126,13 +128,35 @@ impl Curve {
         experiment.settings.iter().map(curve).collect()
     }
 
-    /// relMSE against samples: −1 for independent samples without bias.
+    /// relMSE against samples: the exponent is −1 for independent samples without bias.
+    ///
+    /// Its standard error is that of the jackknife: the fit is made again without each of the seeds.
+    /// The scatter around the line says too little, because the picture of four samples contains
+    /// that of one, with the same seed: the points err together.
     ///
     /// # Errors
     /// With the reason, if fewer than three points have a positive error.
     pub fn law(&self) -> Result<PowerLaw, String> {
-        let points = self.points.iter().map(|p| [f64::from(p.samples), p.rel_mse.value]);
-        PowerLaw::fit(&points.filter(|[_, error]| *error > 0.0).collect::<Vec<_>>())
+        let law = self.law_without(None)?;
+        let seeds = self.points.iter().map(|point| point.rel_mses.len()).min().unwrap_or(0);
+        let others = (0..seeds).map(|seed| Ok(self.law_without(Some(seed))?.exponent));
+        let spread: Moments = others.collect::<Result<Vec<f64>, String>>()?.into_iter().collect();
+        let n = seeds as f64;
+        // √((n − 1)/n · Σ (sᵢ − s̄)²), of which Σ (…)² is n − 1 times the variance.
+        let standard_error =
+            if seeds < 2 { f64::NAN } else { (n - 1.0) * (spread.variance() / n).sqrt() };
+        Ok(PowerLaw { standard_error, ..law })
+    }
+
+    /// The fit to the means over all seeds but one.
+    fn law_without(&self, left_out: Option<usize>) -> Result<PowerLaw, String> {
+        let point = |point: &Point| {
+            let all = point.rel_mses.iter().enumerate();
+            let kept = all.filter(|(seed, _)| Some(*seed) != left_out).map(|(_, &error)| error);
+            [f64::from(point.samples), Mean::of(kept, 0.0).value]
+        };
+        let points = self.points.iter().map(point).filter(|[_, error]| *error > 0.0);
+        PowerLaw::fit(&points.collect::<Vec<_>>())
     }
 
     /// The point with the most samples.
@@ -164,6 +188,7 @@ impl Point {
             build: Spread::of(rows.iter().map(|row| row.spent()[1])),
             rays: first.rays,
             rel_mse: mean(Measure::RelMse),
+            rel_mses: measured(Measure::RelMse).collect(),
             rel_mse_median: Spread::of(measured(Measure::RelMse)).median,
             trimmed: mean(Measure::Trimmed),
             rmse: mean(Measure::Rmse),
@@ -187,6 +212,7 @@ mod tests {
     use super::{Curve, Mean, Point, Spread};
     use crate::experiment::Setting;
     use crate::row::tests::example;
+    use crate::row::{Measure, Row};
 
     #[test]
     fn quartiles_are_between_neighbours() {
@@ -227,10 +253,41 @@ mod tests {
         let curve = Curve { setting, points: points.to_vec() };
         let law = curve.law().expect("four points");
         assert!((law.exponent + 1.0).abs() < 1e-9, "{law:?}");
-        assert!((law.factor - 2.0).abs() < 1e-9, "{law:?}");
+        assert!((law.factor - 2.0).abs() < 1e-9 && law.standard_error < 1e-9, "{law:?}");
         assert!((curve.seconds_a_sample() - 0.5).abs() < 1e-12, "{curve:?}");
         for point in &curve.points {
             assert!((point.efficiency() - 1.0).abs() < 1e-9, "{point:?}");
         }
+    }
+
+    /// A seed whose errors are all 2^a times larger, with the same slope, tells nothing about the
+    /// slope; seeds with slopes of their own scatter it by as much as their mean does.
+    #[test]
+    fn the_error_of_the_slope_is_that_of_the_seeds() {
+        let slopes = [-1.1, -0.9, -1.1, -0.9];
+        let points = [1, 4, 16].map(|n| {
+            let rows: Vec<Row> = slopes
+                .iter()
+                .enumerate()
+                .map(|(seed, &slope)| {
+                    let mut row = example("cosine", n, seed as u64);
+                    let error = libm::pow(f64::from(n) / 4.0, slope);
+                    row.errors[Measure::RelMse as usize] = Some(error);
+                    row
+                })
+                .collect();
+            Point::of(n, &rows.iter().collect::<Vec<_>>()).expect("four rows")
+        });
+        let setting = Setting {
+            name: "cosine".into(),
+            stage: "rendering-equation",
+            options: String::new(),
+            samples: vec![1, 4, 16],
+            price: 1.0,
+        };
+        let law = Curve { setting, points: points.to_vec() }.law().expect("three points");
+        // The standard error of the mean of the four slopes is 0.2/√3/2 = 0.0577.
+        assert!((law.exponent + 1.0).abs() < 0.01, "{law:?}");
+        assert!((law.standard_error - 0.0577).abs() < 0.003, "{law:?}");
     }
 }

@@ -5,7 +5,7 @@
 //! | [`options`] | the command line |
 //! | [`matrix`], [`experiment`], [`scene`] | what is rendered, with which settings |
 //! | [`stages`], [`run`] | the stages' binaries, and every render of the matrix |
-//! | [`truth`], [`furnace`] | the right pictures |
+//! | [`truth`], `furnace` | the right pictures |
 //! | [`measures`], [`flip()`](flip::flip) | the error of a picture |
 //! | [`row`], [`csv`], [`results`] | the file of all renders |
 //! | [`curve`], [`summary`] | what the seeds say together |
@@ -83,7 +83,7 @@ fn draw_curves(options: &Options) -> Result<()> {
     let foreign = options.rows.as_deref().map_or(Ok(Vec::new()), foreign::read)?;
     let stages = Stages::build()?;
     let mut results = Results::open(&options.output)?;
-    run::run(&experiments, &stages, &mut results)?;
+    let rendered = run::run(&experiments, &stages, &mut results)?;
     let outcomes: Vec<_> = experiments.iter().map(|e| Outcome::of(e, &results)).collect();
     report::write(options.folder(), &outcomes, &foreign)?;
     folder::write(&options.folder().join("machine.md"), machine::text(&experiments, &results))?;
@@ -92,7 +92,9 @@ fn draw_curves(options: &Options) -> Result<()> {
     }
     for pair in PAIRS {
         for outcome in outcomes.iter().filter(|outcome| pair.is_of(outcome)) {
-            pair.write(outcome, &stages, options.folder())?;
+            if rendered > 0 || !options.folder().join(pair.file(outcome)).is_file() {
+                pair.write(outcome, &stages, options.folder())?;
+            }
         }
     }
     Ok(())

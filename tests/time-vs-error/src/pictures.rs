@@ -66,6 +66,12 @@ impl Pair {
         self.question == experiment.question && self.scene == experiment.scene.name
     }
 
+    /// The name of the file with the pictures.
+    #[must_use]
+    pub fn file(&self, outcome: &Outcome<'_>) -> String {
+        format!("{}-pictures.png", outcome.name())
+    }
+
     /// Renders the three pictures, and writes them side by side, with a table of what they took.
     ///
     /// # Errors
@@ -88,10 +94,10 @@ impl Pair {
         let error = equal_time.rel_mse / shown.rel_mse;
         let equal_error = shot(second, limited(f64::from(equal_time.samples) * error))?;
         let taken = [shown, equal_time, equal_error];
-        let stem = format!("{}-pictures", outcome.name());
-        folder::write(&folder.join(format!("{stem}.md")), described(&taken))?;
+        let png = folder.join(self.file(outcome));
+        folder::write(&png.with_extension("md"), described(&taken))?;
         let pictures: Vec<&Image> = taken.iter().map(|taken| &taken.image).collect();
-        folder::write(&folder.join(format!("{stem}.png")), side_by_side(&pictures)?)
+        folder::write(&png, side_by_side(&pictures)?)
     }
 }
 

@@ -17,17 +17,18 @@ const WHITTED: [&str; 3] = ["blinn-phong", "mirror-refraction", "bv-tree"];
 /// Samples a pixel of a Whitted stage's converged picture: only its edges are random.
 const WHITTED_SAMPLES: u32 = 1024;
 
-/// Runs all renders of `experiments` whose rows are not there yet.
+/// Runs all renders of `experiments` whose rows are not there yet, and returns their number.
 ///
 /// # Errors
 /// If a stage fails, or a file cannot be read or written.
-pub fn run(experiments: &[Experiment], stages: &Stages, results: &mut Results) -> Result<()> {
+pub fn run(experiments: &[Experiment], stages: &Stages, results: &mut Results) -> Result<usize> {
     let missing = |job: &Job<'_>, results: &Results| results.get(&key(job)).is_none();
     let price = |experiment: &Experiment, results: &Results| -> f64 {
         experiment.jobs().filter(|job| missing(job, results)).map(|job| job.price()).sum()
     };
     let prices = experiments.iter().map(|experiment| price(experiment, results));
     let bar = Bar::new(prices.sum());
+    let mut rendered_now = 0;
     for experiment in experiments {
         let jobs: Vec<_> = experiment.jobs().filter(|job| missing(job, results)).collect();
         let Some(first) = jobs.first() else {
@@ -52,11 +53,12 @@ pub fn run(experiments: &[Experiment], stages: &Stages, results: &mut Results) -
             ));
             let rendered = render(job, stages)?;
             results.add(answers.row(job, &rendered))?;
+            rendered_now += 1;
             bar.add(job.price());
         }
     }
     bar.finish();
-    Ok(())
+    Ok(rendered_now)
 }
 
 /// The key of a render's row.

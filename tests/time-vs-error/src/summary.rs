@@ -36,7 +36,7 @@ pub const COLUMNS: [(&str, &str); 29] = [
     ("rays", "of the first seed"),
     ("efficiency", "1 / (rel_mse * render_seconds)"),
     ("slope", "of log rel_mse against log samples, of the whole curve"),
-    ("slope_error", "its standard error, from the scatter around the line"),
+    ("slope_error", "its standard error, by the jackknife over the seeds"),
     ("rel_mse_of_one", "the line's rel_mse at one sample"),
 ];
 
