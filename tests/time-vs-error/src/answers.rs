@@ -95,8 +95,8 @@ pub fn trees(gains: &[Gain]) -> Option<String> {
     let from_building = from(|gain| gain.with_building)?;
     Some(format!(
         "From {from_render} triangles on, a render with the tree is clearly faster; with the time \
-         of building it, for one sample a pixel, from {from_building} on. At {} triangles the render \
-         without tree takes {} times as long.",
+         of building it, for one sample a pixel, from {from_building} on. At {} triangles the \
+         render without tree takes {} times as long.",
         count(u64::from(largest.triangles)),
         factor(largest.render)
     ))

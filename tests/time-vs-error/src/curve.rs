@@ -130,8 +130,8 @@ impl Curve {
 
     /// relMSE against samples: the exponent is −1 for independent samples without bias.
     ///
-    /// Its standard error is that of the jackknife: the fit is made again without each of the seeds.
-    /// The scatter around the line says too little, because the picture of four samples contains
+    /// Its standard error is that of the jackknife: the fit is made again without each seed. The
+    /// scatter around the line says too little, because the picture of four samples contains
     /// that of one, with the same seed: the points err together.
     ///
     /// # Errors

@@ -318,15 +318,16 @@ mod tests {
     }
 
     /// ΔL = 100, no colour: 100^0.7 = 25.119. Green (87.73, −86.2, 83.2) and blue (32.3, 79.2,
-    /// −107.9) are, after Hunt, 203.4 apart, 41.28 by the power: 0.95 + 0.05 (25.119 − 16.51)/24.77.
+    /// −107.9) are, after Hunt, 203.4 apart, 41.28 by the power, of which 0.4 is 16.51:
+    /// 0.95 + 0.05 (25.119 − 16.51)/24.77.
     #[test]
     fn black_against_white_is_the_value_by_hand() {
         let difference = flip(&flat([0.0; 3]), &flat([1.0; 3]));
         assert!((difference - 0.967_4).abs() < 2e-4, "{difference}");
     }
 
-    /// Two greys, by hand: the bytes 128 and 138 are Y = 0.21586 and 0.25415, L* = 53.585 and 57.482,
-    /// so ΔL = 3.897. 3.897^0.7 = 2.591, times 0.95/16.51.
+    /// Two greys, by hand: the bytes 128 and 138 are Y = 0.21586 and 0.25415, L* = 53.585 and
+    /// 57.482, so ΔL = 3.897. 3.897^0.7 = 2.591, times 0.95/16.51.
     #[test]
     fn two_greys_differ_by_the_value_by_hand() {
         let grey = |byte: u8| Image::from_srgb8(24, 20, &[byte; 3 * 480]);
@@ -365,8 +366,8 @@ mod tests {
         assert!(near > 0.1 && far < 1e-3, "{near} at the dot, {far} in the corner");
     }
 
-    /// An edge between black and white is as strong an edge as there is: the positive weights, which
-    /// sum to 1, lie on white.
+    /// An edge between black and white is as strong an edge as there is: the positive weights,
+    /// which sum to 1, lie on white.
     #[test]
     fn an_edge_from_black_to_white_has_the_strength_of_one() {
         let mut image = Image::new(41, 9);

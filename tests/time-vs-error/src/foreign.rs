@@ -14,7 +14,7 @@ pub struct Foreign {
     pub scene: String,
     /// Renderer and setting.
     pub name: String,
-    /// Seconds of rendering on one thread, and relMSE against the same reference, its own taken off.
+    /// Seconds of rendering on one thread, and relMSE less that of the reference.
     pub points: Vec<[f64; 2]>,
 }
 

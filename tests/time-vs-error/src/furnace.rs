@@ -1,7 +1,7 @@
 //! The picture of the scene `furnace` in closed form.
 //!
-//! A sphere of radius 1 and albedo ½, four away from the eye, in light of radiance 1 from everywhere:
-//! the sphere is ½ and the rest is 1. In a pixel on the outline, what counts is how much of it the
+//! A sphere of radius 1 and albedo ½, four away from the eye, in light of radiance 1 from all
+//! sides: the sphere is ½ and the rest is 1. In a pixel on the outline, what counts is how much of it the
 //! sphere covers.
 
 use workbench::Image;

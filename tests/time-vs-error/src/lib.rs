@@ -9,7 +9,7 @@
 //! | [`measures`], [`flip()`](flip::flip) | the error of a picture |
 //! | [`row`], [`csv`], [`results`] | the file of all renders |
 //! | [`curve`], [`summary`] | what the seeds say together |
-//! | [`comparison`], [`answers`], [`tables`], [`markdown`] | what that means, in words and numbers |
+//! | [`comparison`], [`answers`], [`tables`], [`markdown`] | what that means |
 //! | [`report`], [`plot`], [`foreign`] | the files beside it, also with other renderers' curves |
 //! | [`pictures`] | two settings at equal time and at equal error |
 //! | [`counts`] | what each stage does and skips |

@@ -41,8 +41,8 @@ pub fn rmse(picture: &[[f32; 3]], reference: &[[f32; 3]]) -> f64 {
     finite((squares.sum::<f64>() / a.len() as f64).sqrt())
 }
 
-/// The mean over pixels and channels of ((x − r)² − σ²) / (r² + 0.01) without the worst pixels; σ is
-/// the reference's standard error.
+/// Without the worst pixels, the mean over pixels and channels of ((x − r)² − σ²) / (r² + 0.01); σ
+/// is the reference's standard error.
 ///
 /// One pixel of a thousand is left out, at least one: those in which the sum over the channels of
 /// (x − r)² / (r² + 0.01) is largest. A few pixels with an improbable, bright path in them

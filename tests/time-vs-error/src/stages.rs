@@ -37,7 +37,7 @@ pub struct Rendered {
     pub image: Image,
     /// What `--stats` wrote.
     pub stats: Value,
-    /// Processor time of the whole process in seconds, in steps of a hundredth, if the system tells.
+    /// Processor time of the whole process in seconds, in hundredths, if the system tells.
     pub cpu: Option<f64>,
 }
 

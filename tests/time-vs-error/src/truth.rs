@@ -148,7 +148,7 @@ impl Truth {
 
     /// The standard error of the mean over pixels and channels, relative to that mean.
     ///
-    /// Pixels share no samples; the channels of a pixel do, and count as if they had the same error.
+    /// Pixels share no samples; the channels of a pixel do, and count as if they erred together.
     #[must_use]
     pub fn mean_error(&self) -> f64 {
         let deviation = |pixel: &[f32; 3]| pixel.iter().map(|&v| f64::from(v).sqrt()).sum::<f64>();
