@@ -59,7 +59,7 @@ pub fn times(outcome: &Outcome<'_>) -> String {
             curve.setting.name.clone(),
             relative(point.render.median),
             format!("{} to {}", relative(point.render.low), relative(point.render.high)),
-            factor(point.build.median / first.build.median),
+            factor(point.build / first.build),
             if same { "yes" } else { "no" }.to_owned(),
         ])
     };
@@ -90,7 +90,7 @@ impl Gain {
         Some(Self {
             triangles: outcome.experiment.scene.triangles()?,
             render: sample(none) / sample(tree),
-            with_building: (sample(none) + none.build.median) / (sample(tree) + tree.build.median),
+            with_building: (sample(none) + none.build) / (sample(tree) + tree.build),
             same_picture: common.pictures == none.pictures,
         })
     }
