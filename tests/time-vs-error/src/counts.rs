@@ -179,7 +179,7 @@ pub struct Skip {
 }
 
 /// Every skip that can be switched off, on scenes in which it has something to do.
-pub const SKIPS: [Skip; 9] = [
+pub const SKIPS: [Skip; 12] = [
     volumes("teapot", 2),
     volumes("whitted-teapot", 1),
     volumes("many-lights", 4),
@@ -189,6 +189,9 @@ pub const SKIPS: [Skip; 9] = [
     paths("cornell-box", "path-tracing"),
     paths("cornell-box", "light-sampling"),
     paths("many-lights", "light-sampling"),
+    code("cornell-box", "rendering-equation", 16),
+    code("cornell-box", "path-tracing", 64),
+    code("cornell-box", "light-sampling", 64),
 ];
 
 const fn volumes(scene: &'static str, samples: u32) -> Skip {
@@ -210,6 +213,11 @@ const fn paths(scene: &'static str, stage: &'static str) -> Skip {
         with,
         without: ("--depth 16 --roulette off", 64),
     }
+}
+
+const fn code(scene: &'static str, stage: &'static str, samples: u32) -> Skip {
+    let name = "code for what is not there";
+    Skip { name, scene, stage, with: ("", samples), without: ("--for-any-scene", samples) }
 }
 
 /// A skip with what it is worth.
