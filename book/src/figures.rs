@@ -9,7 +9,7 @@ pub(crate) mod bv_tree;
 pub(crate) mod light_sampling;
 mod mirror_refraction;
 mod path_tracing;
-mod ray_casting;
+pub(crate) mod ray_casting;
 pub(crate) mod rendering_equation;
 pub(crate) mod stability;
 mod workbench;

@@ -9,7 +9,7 @@ pub(crate) mod naive;
 mod order;
 pub(crate) mod plain;
 mod probability;
-mod rounding;
+pub(crate) mod rounding;
 mod savings;
 mod stage;
 mod tightness;

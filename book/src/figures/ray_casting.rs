@@ -1,7 +1,7 @@
 //! The figures of chapter 1.
 
 mod diagrams;
-mod seams;
+pub(crate) mod seams;
 mod search;
 mod spawning;
 mod spheres;

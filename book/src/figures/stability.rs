@@ -1,6 +1,6 @@
 //! The figures of "When numbers break".
 
-mod leaks;
+pub(crate) mod leaks;
 mod places;
 pub(crate) mod stage;
 

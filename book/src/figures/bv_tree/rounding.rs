@@ -100,19 +100,34 @@ fn aimed(geometry: &Geometry, distance: f32) -> Vec<Ray> {
 }
 
 fn row(table: &mut Table, name: &str, geometry: &Geometry, rays: Vec<Ray>) {
+    let (hits, lost) = counts(geometry, rays);
+    let [folklore, unpadded, ours] = lost.map(count);
+    table.row([name.to_owned(), count(hits), folklore, unpadded, ours]);
+}
+
+/// How many rays hit something, and how many of them trees of three kinds of boxes lose: the
+/// folklore's, boxes without padding, and ours.
+fn counts(geometry: &Geometry, rays: Vec<Ray>) -> (u64, [u64; 3]) {
     let oracle = LinearSearch::new(geometry, &Unwatched);
     let hits: Vec<_> =
         rays.into_iter().filter_map(|ray| Some((ray, oracle.intersect(&ray)?.t))).collect();
     // A tree loses a ray if it finds nothing, or only something that lies behind.
     let lost = |search: &dyn Intersect| {
         let is_lost = |(ray, t): &&(Ray, f32)| search.intersect(ray).is_none_or(|hit| hit.t > *t);
-        count(hits.iter().filter(is_lost).count() as u64)
+        hits.iter().filter(is_lost).count() as u64
     };
-    table.row([
-        name.to_owned(),
-        count(hits.len() as u64),
+    let trees = [
         lost(&tree::<FolkloreBox>(geometry)),
         lost(&tree::<UnpaddedBox>(geometry)),
         lost(&tree::<Aabb>(geometry)),
-    ]);
+    ];
+    (hits.len() as u64, trees)
+}
+
+/// Rays at edges of the town from far away that trees lose, without padding and with, and how many
+/// they are.
+pub(crate) fn lost_from_far_away() -> ([u64; 2], u64) {
+    let town = town();
+    let (hits, [_, unpadded, ours]) = counts(&town, aimed(&town, 1000.0));
+    ([unpadded, ours], hits)
 }

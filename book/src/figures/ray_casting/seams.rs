@@ -77,17 +77,27 @@ pub(super) fn missed() -> Drawing {
         ("at points of edges", Aim::Edge, here),
         ("at vertices, the ball around (1000, −2000, 500)", Aim::Vertex, far),
     ] {
-        let ball = ball(center);
-        let (naive, watertight) = (MollerTrumbore(&ball), LinearSearch::new(&ball, &Unwatched));
-        let rays = || (0..RAYS).map(|i| aim.ray(&ball, center, i));
-        let lost = [
-            rays().filter(|ray| !naive.occluded(ray)).count(),
-            rays().filter(|ray| !watertight.occluded(ray)).count(),
-        ];
-        let [naive, watertight] = lost.map(|n| count(n as u64));
+        let [naive, watertight] = lost(aim, center).map(count);
         table.row([name.to_owned(), count(RAYS), naive, watertight]);
     }
     table.into()
+}
+
+/// How many of the rays leave the ball by the test of Möller and Trumbore, and by ours.
+fn lost(aim: Aim, center: Vec3) -> [u64; 2] {
+    let ball = ball(center);
+    let (naive, watertight) = (MollerTrumbore(&ball), LinearSearch::new(&ball, &Unwatched));
+    let rays = || (0..RAYS).map(|i| aim.ray(&ball, center, i));
+    let lost = [
+        rays().filter(|ray| !naive.occluded(ray)).count(),
+        rays().filter(|ray| !watertight.occluded(ray)).count(),
+    ];
+    lost.map(|n| n as u64)
+}
+
+/// The same for rays at points of edges, and how many they are.
+pub(crate) fn lost_at_edges() -> ([u64; 2], u64) {
+    (lost(Aim::Edge, Vec3::ZERO), RAYS)
 }
 
 const SIZE: [u32; 2] = [320, 320];

@@ -76,11 +76,17 @@ pub(super) fn leaks() -> Drawing {
 }
 
 pub(super) fn numbers() -> Drawing {
-    let pixels = u64::from(SIZE[0]) * u64::from(SIZE[1]);
+    let ([by_constant, by_bound], pixels_in_all) = lit();
     let mut numbers = Numbers::new();
-    numbers.add("pixels", count(pixels));
-    numbers.add("rays", count(pixels * u64::from(SAMPLES)));
-    numbers.add("by-constant", count(draw(by_constant).1));
-    numbers.add("by-bound", count(draw(SurfacePoint::spawn).1));
+    numbers.add("pixels", count(pixels_in_all));
+    numbers.add("rays", count(pixels_in_all * u64::from(SAMPLES)));
+    numbers.add("by-constant", count(by_constant));
+    numbers.add("by-bound", count(by_bound));
     numbers.into()
+}
+
+/// How many pixels of the dark room are lit by a constant and by the bound, and how many they are.
+pub(crate) fn lit() -> ([u64; 2], u64) {
+    let pixels = u64::from(SIZE[0]) * u64::from(SIZE[1]);
+    ([draw(by_constant).1, draw(SurfacePoint::spawn).1], pixels)
 }
