@@ -112,9 +112,31 @@ fn reader(
         path: path.to_owned(),
         reason: format!("could not be read: {error}"),
     };
+    if format == ImageFormat::Png && !has_whole_palette(path).unwrap_or(true) {
+        let reason = "could not be read as a PNG picture: its palette ends within a colour";
+        return Err(Error::Picture { path: path.to_owned(), reason: reason.to_owned() });
+    }
     let mut reader = ImageReader::open(path).map_err(failed)?;
     reader.set_format(format);
     Ok(reader)
+}
+
+/// Whether the palettes of a PNG file are made of whole colours, of which the decoder is so sure that
+/// it panics. What ends too early or is no PNG file is left to the decoder.
+fn has_whole_palette(path: &Path) -> io::Result<bool> {
+    let mut file = io::BufReader::new(std::fs::File::open(path)?);
+    io::Seek::seek_relative(&mut file, 8)?;
+    loop {
+        let mut head = [0; 8];
+        io::Read::read_exact(&mut file, &mut head)?;
+        let [a, b, c, d, name @ ..] = head;
+        let length = u32::from_be_bytes([a, b, c, d]);
+        match &name {
+            b"PLTE" if length % 3 != 0 => return Ok(false),
+            b"IDAT" => return Ok(true),
+            _ => io::Seek::seek_relative(&mut file, i64::from(length) + 4)?,
+        }
+    }
 }
 
 fn unreadable(path: &Path, format: ImageFormat, error: &ImageError) -> Error {
