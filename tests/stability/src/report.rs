@@ -96,11 +96,11 @@ fn markdown(rows: &[Row], options: &Options) -> String {
         let fact = case.fact.replace('_', " ");
         // A case that measures nothing has no error.
         let worst = if found.worst == 0.0 { String::new() } else { format!("{:.3}", found.worst) };
-        let (id, tried, failed) = (case.id, found.tried, found.failures);
+        let (id, tried, failed) = (case.id, grouped(found.tried), grouped(found.failures));
         writeln!(text, "| {id} | {tried} | {failed} | {worst} | {fact} |")
             .expect("a string takes everything");
     }
-    let (rays, seed) = (options.rays, options.seed);
+    let (rays, seed) = (short(options.rays), options.seed);
     let only = options.only.join(",");
     let only = if only.is_empty() { only } else { format!(" --only {only}") };
     writeln!(
@@ -112,9 +112,23 @@ fn markdown(rows: &[Row], options: &Options) -> String {
     text
 }
 
+/// A count with its digits in groups of three: 1 234 567.
+fn grouped(n: u64) -> String {
+    let digits = n.to_string();
+    let groups = digits.as_bytes().rchunks(3).rev().map(String::from_utf8_lossy);
+    // A narrow space at which no line breaks.
+    groups.collect::<Vec<_>>().join("\u{202f}")
+}
+
+/// 1e9 for 1000000000.
+fn short(n: u64) -> String {
+    let zeros = (0..20).take_while(|&k| n.is_multiple_of(10_u64.pow(k))).last().unwrap_or(0);
+    if zeros > 3 { format!("{}e{zeros}", n / 10_u64.pow(zeros)) } else { n.to_string() }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::chosen;
+    use super::{chosen, grouped, short};
     use crate::catalogue;
 
     #[test]
@@ -125,6 +139,15 @@ mod tests {
         assert_eq!(chosen(&["S3", "S6"]).len(), 2, "two ids");
         assert!(chosen(&["sphere"]).len() > 5, "a component");
         assert!(chosen(&["self_that_nobody_has"]).is_empty(), "nothing");
+    }
+
+    #[test]
+    fn large_numbers_can_be_read() {
+        assert_eq!(grouped(1_234_567), "1\u{202f}234\u{202f}567", "seven digits");
+        assert_eq!(grouped(12), "12", "two digits");
+        assert_eq!(short(1_000_000_000), "1e9", "a power of ten");
+        assert_eq!(short(25_000_000), "25e6", "a round number");
+        assert_eq!(short(1_234_567), "1234567", "no round number");
     }
 
     /// 163 rows: nothing of the catalogue is forgotten, and nothing stands in it twice.

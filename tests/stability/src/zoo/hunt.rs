@@ -82,11 +82,12 @@ fn sentence(fate: &Fate) -> String {
 /// The table of the book.
 #[must_use]
 pub fn table(fates: &[Fate]) -> String {
-    let mut text = "| mutant | file | killed by |\n|---|---|---|\n".to_owned();
+    let mut text = "| mutant | in | killed by |\n|---|---|---|\n".to_owned();
     for fate in fates.iter().filter(|fate| fate.is_killed()) {
         let Mutant { name, file, test, .. } = fate.mutant;
-        let file = file.trim_start_matches("chapters/");
-        let _ = writeln!(text, "| {name} | `{file}` | `{}`: `{}` |", test.package, test.name);
+        let place = file.rsplit('/').next().unwrap_or(file);
+        let fact = test.name.replace('_', " ");
+        let _ = writeln!(text, "| {name} | `{place}` | {}: {fact} |", test.package);
     }
     text
 }
