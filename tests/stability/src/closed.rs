@@ -1,4 +1,4 @@
-//! Closed meshes, from which no ray may escape.
+//! Places inside of closed meshes, and rays from there.
 
 use glam::{DVec3, Vec3, dvec3};
 use ray_casting::{Geometry, Ray};
@@ -10,40 +10,6 @@ use crate::scenes::toward;
 /// apart.
 pub const PLACES: [Vec3; 3] =
     [Vec3::ZERO, Vec3::new(1000.0, -2000.0, 500.0), Vec3::new(148_376.0, 1234.0, -223_423.0)];
-
-/// Rings and sectors of a ball.
-const N: u32 = 16;
-
-/// A ball of 480 triangles around `center` whose vertices, shared by neighbours, are moved in and out
-/// between the radii 1 and 6.
-#[must_use]
-pub fn ball(center: Vec3, random: &mut Random) -> Geometry {
-    let mut vertex = |ring: u32, sector: u32| {
-        let (sin_theta, cos_theta) =
-            libm::sincos(std::f64::consts::PI * f64::from(ring) / f64::from(N));
-        let (sin_phi, cos_phi) =
-            libm::sincos(std::f64::consts::TAU * f64::from(sector) / f64::from(N));
-        let outward = dvec3(sin_theta * cos_phi, cos_theta, sin_theta * sin_phi);
-        (center.as_dvec3() + random.between(1.0, 6.0) * outward).as_vec3()
-    };
-    let mut vertices = Vec::new();
-    for ring in 1..N {
-        vertices.extend((0..N).map(|sector| vertex(ring, sector)));
-    }
-    vertices.extend([vertex(0, 0), vertex(N, 0)]);
-    let [north, south] = [(N - 1) * N, (N - 1) * N + 1];
-    let mut triangles = Vec::new();
-    for sector in 0..N {
-        let next = (sector + 1) % N;
-        triangles.push([north, next, sector]);
-        for ring in 0..N - 2 {
-            let [a, b] = [ring * N + sector, ring * N + next];
-            triangles.extend([[a, b, b + N], [a, b + N, a + N]]);
-        }
-        triangles.push([south, (N - 2) * N + sector, (N - 2) * N + next]);
-    }
-    Geometry { vertices, triangles, spheres: Vec::new() }
-}
 
 /// The twelve triangles of a box; bit i of a corner's index says on which side of axis i it lies.
 #[must_use]
@@ -59,8 +25,8 @@ pub fn brick(corner: impl Fn(DVec3) -> Vec3) -> Geometry {
     }
 }
 
-/// A point near `center` that sees all of `ball` from inside, so that every ray has but one triangle
-/// to hit; `None` if no such point is found.
+/// A point near `center` that sees all of a [`ball`](crate::meshes::ball) from inside, so that every
+/// ray has but one triangle to hit; `None` if no such point is found.
 ///
 /// It does if it lies behind all planes, by more than double precision can be wrong.
 #[must_use]

@@ -18,7 +18,7 @@
 //! | [`report`] | the table of the long tier |
 //! | [`random`] | random numbers of any magnitude |
 //! | [`scenes`] | geometry without a file, and what a search finds in it |
-//! | [`meshes`], [`closed`] | meshes without a hole |
+//! | [`meshes`], [`closed`] | meshes without a hole, and rays from within |
 //! | [`volumes`] | bounding volumes around some content |
 //! | [`exact`] | arithmetic without rounding |
 //! | [`replay`] | what fuzzers call, and what they once found |

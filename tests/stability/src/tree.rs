@@ -8,7 +8,8 @@ use ray_casting::{Geometry, Intersect, Interval, LinearSearch, Ray, Sphere};
 use workbench::{Counter, Recorder, Unwatched};
 
 use crate::bits;
-use crate::closed::{AIMS, PLACES, aimed as aimed_at, ball, heart};
+use crate::closed::{AIMS, PLACES, aimed as aimed_at, heart};
+use crate::meshes::ball;
 use crate::random::Random;
 use crate::scenes::{nearest, toward, triangles};
 use crate::trial::Trial;
