@@ -68,7 +68,10 @@ impl SphericalTriangle {
         let cut = (cos_phi * a + sin_phi * t) / (n * n + d * d);
 
         let x = u[1] * 0.5 * (cut - b).length_squared(); // 1 − cos θ
-        (1.0 - x) * b + (x * (2.0 - x)).sqrt() * across(b, cut)
+        let direction = (1.0 - x) * b + (x * (2.0 - x)).sqrt() * across(b, cut);
+        // Seen from all but within an edge, its ends are opposite each other, and what is across is
+        // what rounding has left.
+        direction.normalize()
     }
     // ANCHOR_END: sample
 }

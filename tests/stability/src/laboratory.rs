@@ -10,7 +10,7 @@ use crate::random::Random;
 use crate::trial::{Found, Trial};
 
 /// Rays of a case in `cargo test`, if a ray is cheap.
-pub const QUICK: u64 = 200_000;
+pub const QUICK: u64 = 1_000_000;
 
 /// Rays of one chunk: enough to pay for what a case sets up, few enough to keep all cores busy.
 const CHUNK: u64 = 1 << 16;

@@ -159,6 +159,23 @@ fn extreme_random_numbers_lamps_and_viewers_give_points_of_the_lamp() {
     assert!(seen > 10_000, "only {seen} points");
 }
 
+/// Seen from all but within one of its edges, whose ends then lie opposite each other: a direction was
+/// 5.5 u too long. From the long run of accuracy.md M9.
+#[test]
+fn within_an_edge_of_a_lamp_directions_have_unit_length() {
+    let corners = [
+        vec3(-0.019_733_146, 0.022_561_507, 0.000_961_772_1),
+        vec3(0.002_885_306, -0.002_800_433, -0.003_226_701_6),
+        vec3(0.021_653_25, -0.025_373_934, 0.020_127_786),
+    ];
+    let viewer = Vec3::from([0xb7b2_b013, 0x3992_278d, 0x39f5_f989].map(f32::from_bits));
+    let u = [0x3f27_73be, 0x3f2d_7a54].map(f32::from_bits);
+    let lamp = FlatLamp::triangle(corners, Rgb::ONE, Measure::SolidAngle);
+    let wi = lamp.sample(viewer, u).map(|sample| sample.wi.as_dvec3().length());
+    let error = wi.map_or(f64::NAN, |length| (length - 1.0).abs());
+    assert!(error <= 2.0 * f64::from(f32::EPSILON), "the length is {error:e} off");
+}
+
 /// cos θ / p, whose mean is the irradiance of the origin; `pdf` tells p.
 fn irradiances(
     lamp: &FlatLamp,
