@@ -222,7 +222,8 @@ fn size(sheared: &[[f32; 3]; 3]) -> f32 {
 ///   surface, and does not meet it.
 /// - A hit that rounding has put behind the near end of the extent is put back: as near as a hit
 ///   can be. Otherwise a ray that starts in the corner of a room, next to one wall, would leave
-///   through it.
+///   through it. But it has to be where the exact plane is met, too: the origin then lies between
+///   two points of the triangle, and no volume around the triangle can lose it.
 #[inline(never)] // hardly ever called: it would only be in the way of the loop over triangles
 fn settle(ray: &Ray, vertices: [Vec3; 3], t: f32) -> Option<f32> {
     let Ray { origin, direction, extent } = *ray;
@@ -241,7 +242,24 @@ fn settle(ray: &Ray, vertices: [Vec3; 3], t: f32) -> Option<f32> {
     let at_surface = distance.abs()
         <= size.dot(f64::from(gamma(8)) * o.abs() + DOUBLE * (v0.abs() + e1.abs() + e2.abs()));
     let runs_along = speed.abs() <= f64::from(gamma(8)) * size.dot(d.abs());
-    (!(at_surface && runs_along)).then(|| t.max(extent.min.next_up()))
+    if at_surface && runs_along {
+        return None;
+    }
+    if t > extent.min {
+        return Some(t);
+    }
+    let way = o - v0 + exact * d;
+    is_beside_none([DVec3::ZERO, e1, e2].map(|v| way - v), [e1, e2 - e1, -e2], o - v0)
+        .then(|| extent.min.next_up())
+}
+
+/// Whether a point of the plane is outside of no edge, by more than what vertices may be moved by.
+/// `ways` lead to it from the vertices, and `from` leads from a vertex to the origin of the ray.
+fn is_beside_none(ways: [DVec3; 3], edges: [DVec3; 3], from: DVec3) -> bool {
+    let reach = edges.iter().fold(from.abs(), |reach, edge| reach.max(from.abs() + edge.abs()));
+    let moved = f64::from(gamma(6)) * reach.max_element();
+    let n = edges[0].cross(edges[1]).normalize();
+    ways.iter().zip(edges).all(|(way, edge)| n.dot(edge.cross(*way)) >= -moved * edge.length())
 }
 
 /// The corners in the same order, but with that first which the two shorter edges meet in.

@@ -320,6 +320,21 @@ fn a_ray_that_leaves_a_long_needle_does_not_meet_it() {
     assert_eq!(hit, None, "{ray:?}");
 }
 
+/// accuracy B9: seen along its plane, the triangle seems to be met a rounding behind the origin, but
+/// the exact plane is met ahead, far beside the triangle, and no box of it holds the origin.
+#[test]
+fn a_hit_is_put_forward_only_where_the_plane_is_met() {
+    let corners = [
+        vec3(0.008_249_67, -0.005_997_126_5, 0.008_708_856),
+        vec3(0.007_825_632, -0.003_844_774_6, 0.009_337_152),
+        vec3(0.007_825_286, -0.000_474_532_1, 0.009_307_008),
+    ];
+    let origin = bits([0x3c00_2dfd, 0xbaf4_d2ad, 0x3c18_bd48]);
+    let ray = Ray::new(origin, bits([0xbeba_f43d, 0x3f40_155f, 0x3f0d_130b]));
+    let hit = intersect(&ray, &corners);
+    assert_eq!(hit, None, "{ray:?} starts beside the triangle and leads away from it");
+}
+
 /// A vector from the bits of its components.
 fn bits(v: [u32; 3]) -> Vec3 {
     Vec3::from_array(v.map(f32::from_bits))
