@@ -70,7 +70,7 @@ const COUNTED: [u32; 2] = [64, 64];
 fn write_counts(options: &Options) -> Result<()> {
     let stages = Stages::build()?;
     let folder = options.folder();
-    std::fs::create_dir_all(folder).map_err(|error| Error::file(folder, error))?;
+    std::fs::create_dir_all(&folder).map_err(|error| Error::file(&folder, error))?;
     let counted = counts::count_all(&stages, COUNTED)?;
     folder::write(&folder.join("counts.md"), counts::markdown(&counted))?;
     let rounds = if options.quick { 1 } else { 5 };
@@ -82,10 +82,10 @@ fn draw_curves(options: &Options) -> Result<()> {
     let experiments = chosen(options)?;
     let foreign = options.rows.as_deref().map_or(Ok(Vec::new()), foreign::read)?;
     let stages = Stages::build()?;
-    let mut results = Results::open(&options.output)?;
+    let mut results = Results::open(&options.results())?;
     let rendered = run::run(&experiments, &stages, &mut results)?;
     let outcomes: Vec<_> = experiments.iter().map(|e| Outcome::of(e, &results)).collect();
-    report::write(options.folder(), &outcomes, &foreign)?;
+    report::write(&options.folder(), &outcomes, &foreign)?;
     folder::write(&options.folder().join("machine.md"), machine::text(&experiments, &results))?;
     if options.quick || options.only.is_some() {
         return Ok(());
@@ -93,7 +93,7 @@ fn draw_curves(options: &Options) -> Result<()> {
     for pair in PAIRS {
         for outcome in outcomes.iter().filter(|outcome| pair.is_of(outcome)) {
             if rendered > 0 || !options.folder().join(pair.file(outcome)).is_file() {
-                pair.write(outcome, &stages, options.folder())?;
+                pair.write(outcome, &stages, &options.folder())?;
             }
         }
     }

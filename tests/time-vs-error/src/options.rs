@@ -24,9 +24,11 @@ pub struct Options {
     #[arg(long, value_name = "SCENE/STAGE")]
     pub only: Option<Only>,
 
-    /// The file of all renders; summary, plots, tables and pictures are written beside it
-    #[arg(short, long, global = true, value_name = "FILE", default_value_os_t = default_output())]
-    pub output: PathBuf,
+    /// The file of all renders; summary, plots, tables and pictures are written beside it. Without
+    /// it, all of the matrix goes into the book, and a part of it (--quick, --only) into the target
+    /// folder
+    #[arg(short, long, global = true, value_name = "FILE")]
+    pub output: Option<PathBuf>,
 
     /// Curves of other renderers, drawn into the same plots: a CSV file with the columns
     /// scene,renderer,setting,seconds,rel_mse
@@ -52,11 +54,24 @@ impl Options {
         if self.quick { Extent::Quick } else { Extent::Full }
     }
 
+    /// The file of all renders.
+    #[must_use]
+    pub fn results(&self) -> PathBuf {
+        let is_part = self.quick || self.only.is_some();
+        let folder = if is_part {
+            "target/time-vs-error/part"
+        } else {
+            "book/pages/measurements/time-vs-error"
+        };
+        self.output.clone().unwrap_or_else(|| Path::new(folder).join("results.csv"))
+    }
+
     /// The folder of everything that is written.
     #[must_use]
-    pub fn folder(&self) -> &Path {
-        let parent = self.output.parent().filter(|folder| !folder.as_os_str().is_empty());
-        parent.unwrap_or(Path::new("."))
+    pub fn folder(&self) -> PathBuf {
+        let results = self.results();
+        let parent = results.parent().filter(|folder| !folder.as_os_str().is_empty());
+        parent.unwrap_or(Path::new(".")).to_owned()
     }
 }
 
@@ -92,10 +107,6 @@ impl Only {
     }
 }
 
-fn default_output() -> PathBuf {
-    PathBuf::from("book/pages/measurements/time-vs-error/results.csv")
-}
-
 /// The columns of the CSV file, for `--help`.
 fn columns() -> String {
     let mut text = "Columns of the CSV file:\n".to_owned();
@@ -109,11 +120,25 @@ fn columns() -> String {
 #[cfg(test)]
 mod tests {
     use super::{Only, Options};
-    use clap::CommandFactory;
+    use clap::{CommandFactory, Parser};
 
     #[test]
     fn the_command_line_is_sound() {
         Options::command().debug_assert();
+    }
+
+    /// Tables of a part would stand in the book as if they were of all.
+    #[test]
+    fn only_the_whole_matrix_goes_into_the_book() {
+        let file = |arguments: &str| {
+            let arguments = ["time-vs-error"].into_iter().chain(arguments.split_whitespace());
+            Options::try_parse_from(arguments).expect("a valid command line").results()
+        };
+        assert!(file("").starts_with("book"), "all: {:?}", file(""));
+        for part in ["--quick", "--only cornell-box/path-tracing"] {
+            assert!(file(part).starts_with("target"), "{part}: {:?}", file(part));
+        }
+        assert_eq!(file("--quick -o a.csv").to_str(), Some("a.csv"), "where one asks for it");
     }
 
     #[test]
