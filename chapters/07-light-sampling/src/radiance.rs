@@ -42,7 +42,8 @@ impl Settings {
     }
 }
 
-/// Path tracing with light sampling, over whatever finds the hits. `H`: what scenes it is compiled for.
+/// Path tracing with light sampling, over whatever finds the hits. `H`: what scenes it is compiled
+/// for.
 pub struct LightTracer<'a, G, P, H> {
     scene: &'a Scene,
     materials: Materials<'a, H>,
