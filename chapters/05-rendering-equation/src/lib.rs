@@ -3,9 +3,9 @@
 //! Brings BRDFs that can be evaluated and sampled ([`Brdf`]: [`Lambert`], [`Lobe`]), densities over
 //! [`directions`] and over surfaces ([`measures`]), Monte Carlo integration ([`monte_carlo`]), and
 //! the tracer that follows N directions from every hit ([`DistributedTracer`]), compiled for what a
-//! [`Survey`] of the scene finds. A second program, `estimate`, shows how fast Monte Carlo integration converges ([`convergence`]). Relies on chapter 1
-//! for rays, on chapter 4 for the tree, on chapter 3 for mirrors and glass, and on chapter 2 for
-//! textures.
+//! [`Survey`] of the scene finds. A second program, `estimate`, shows how fast Monte Carlo
+//! integration converges ([`convergence`]). Relies on chapter 1 for rays, on chapter 4 for the tree,
+//! on chapter 3 for mirrors and glass, and on chapter 2 for textures.
 
 pub mod convergence;
 pub mod directions;
