@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use std::{fs, io};
 
 use indicatif::{ProgressBar, ProgressStyle};
+use statistics::grouped;
 
 use crate::case::{Case, Check};
 use crate::catalogue;
@@ -112,14 +113,6 @@ fn markdown(rows: &[Row], options: &Options) -> String {
     text
 }
 
-/// A count with its digits in groups of three: 1 234 567.
-fn grouped(n: u64) -> String {
-    let digits = n.to_string();
-    let groups = digits.as_bytes().rchunks(3).rev().map(String::from_utf8_lossy);
-    // A narrow space at which no line breaks.
-    groups.collect::<Vec<_>>().join("\u{202f}")
-}
-
 /// 1e9 for 1000000000.
 fn short(n: u64) -> String {
     let zeros = (0..20).take_while(|&k| n.is_multiple_of(10_u64.pow(k))).last().unwrap_or(0);
@@ -128,7 +121,7 @@ fn short(n: u64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{chosen, grouped, short};
+    use super::{chosen, short};
     use crate::catalogue;
 
     #[test]
@@ -143,8 +136,6 @@ mod tests {
 
     #[test]
     fn large_numbers_can_be_read() {
-        assert_eq!(grouped(1_234_567), "1\u{202f}234\u{202f}567", "seven digits");
-        assert_eq!(grouped(12), "12", "two digits");
         assert_eq!(short(1_000_000_000), "1e9", "a power of ten");
         assert_eq!(short(25_000_000), "25e6", "a round number");
         assert_eq!(short(1_234_567), "1234567", "no round number");

@@ -1,18 +1,25 @@
 //! Rays and triangles: T1 to T18.
 
+mod needles;
+mod sealed;
+mod seen;
+
 use std::cmp::Ordering;
 
-use bv_tree::{Aabb, Builder, BvTree};
-use glam::{DVec3, Vec3, dvec3, vec3};
-use ray_casting::{Geometry, Hit, Intersect, Ray, Scene, ShearedRay, SurfacePoint, triangle};
-use workbench::Unwatched;
+use glam::{DVec3, Vec3};
+use ray_casting::{Hit, Ray, Scene, ShearedRay, triangle};
 
 use crate::bits::{self, gamma, ulps};
 use crate::exact::{self, Exact};
-use crate::meshes::{ball, within};
 use crate::random::Random;
 use crate::scenes::{nearest, scene, surface, toward, triangles};
 use crate::trial::Trial;
+
+use needles::the_edges_of_needles_are_decided_exactly;
+use sealed::{
+    no_ray_leaves_a_closed_mesh, no_ray_leaves_a_closed_mesh_where_coordinates_are_coarse,
+};
+use seen::Seen;
 
 crate::catalogue! {
     T1 elsewhere "chapters/01-ray-casting/tests/kernels/triangle.rs"
@@ -106,97 +113,6 @@ fn no_ray_slips_through_the_diagonal_of_a_parallelogram(trial: &mut Trial) {
     }
 }
 
-/// A ball of 448 triangles between the radii 1 and 6 around `center`, another one each time, and
-/// rays from within: a quarter anywhere, a quarter to a vertex, a quarter to a point of an edge,
-/// and a quarter that leave inward from where they met the ball, close to an edge.
-///
-/// The search is that of a tree, which has the same triangle test and twenty times the rays.
-fn sealed(trial: &mut Trial, center: Vec3) {
-    let ball = scene(ball(center, &mut trial.random));
-    let geometry = &ball.geometry;
-    let tree = BvTree::<Aabb, _>::build(geometry, Builder::Sah, &Unwatched);
-    for i in 0..trial.rays {
-        let random = &mut trial.random;
-        let origin = within(center, random);
-        let corners = geometry.corners(random.below(geometry.triangles.len() as u64) as u32);
-        let [a, b, c] = corners.map(|v| v.as_dvec3());
-        let edge = a.lerp(b, random.unit());
-        let ray = match i % 4 {
-            0 => Some(Ray::new(origin, random.direction().as_vec3())),
-            1 => toward(origin, corners[0]),
-            2 => toward(origin, edge.as_vec3()),
-            _ => toward(origin, edge.lerp(c, random.magnitude(-5.0, 0.0)).as_vec3()),
-        };
-        let Some(ray) = ray else { continue };
-        let hit = tree.intersect(&ray);
-        trial.require(hit.is_some(), || {
-            let by_all = nearest(geometry, &ray);
-            format!("{} leaves a ball around {center}; without a tree: {by_all:?}", bits::ray(&ray))
-        });
-        if let Some(hit) = hit.filter(|_| i % 4 == 3) {
-            leave_inward(trial, geometry, &tree, &ball.surface(&ray, &hit));
-        }
-    }
-}
-
-/// A ray back into the closed mesh that `surface` belongs to. Where the origin is moved off one
-/// surface within a few floats of another, it may be moved through that; so a ray may leave if it
-/// crosses an even number of triangles in exact arithmetic: then it has started outside.
-fn leave_inward(trial: &mut Trial, mesh: &Geometry, tree: &impl Intersect, surface: &SurfacePoint) {
-    let inward = surface.facing_normal().as_dvec3();
-    let direction = trial.random.direction();
-    let direction = direction * direction.dot(inward).signum();
-    let next = surface.spawn(direction.as_vec3());
-    let crossings = || {
-        let triangles = 0..mesh.triangles.len() as u32;
-        triangles.filter(|&i| crosses(&next, mesh.corners(i))).count()
-    };
-    trial.require(tree.occluded(&next) || crossings() % 2 == 0, || {
-        format!("{} leaves from {surface:?}", bits::ray(&next))
-    });
-}
-
-/// Whether a ray meets the inside of a triangle, in exact arithmetic.
-fn crosses(ray: &Ray, corners: Corners) -> bool {
-    let [a, b, c] = corners;
-    let first = exact_side(ray, a, b);
-    let inside = first.is_ne() && exact_side(ray, b, c) == first && exact_side(ray, c, a) == first;
-    inside && {
-        let n = exact::normal(corners);
-        let height = exact::dot(&n, &exact::difference(a, ray.origin));
-        height.sign() == exact::dot(&n, &exact::vector(ray.direction)).sign()
-    }
-}
-
-/// The sign of d·((a − o) × (b − o)). Its error in double precision is below 2⁻⁴⁹ of the product of
-/// the three lengths; only closer to zero is it computed without any.
-fn exact_side(ray: &Ray, a: Vec3, b: Vec3) -> Ordering {
-    let d = ray.direction.as_dvec3();
-    let [from, to] = [a, b].map(|v| v.as_dvec3() - ray.origin.as_dvec3());
-    let quick = d.dot(from.cross(to));
-    if quick.abs() > 1e-12 * d.length() * from.length() * to.length() {
-        return quick.total_cmp(&0.0);
-    }
-    let [from, to] = [a, b].map(|v| exact::difference(v, ray.origin));
-    exact::dot(&exact::vector(ray.direction), &exact::cross(&from, &to)).sign()
-}
-
-/// [`sealed`] at the origin, where the test of Möller and Trumbore loses 5.8 % of the rays to
-/// vertices and 9.3 % of those to edges.
-fn no_ray_leaves_a_closed_mesh(trial: &mut Trial) {
-    sealed(trial, Vec3::ZERO);
-}
-
-/// [`sealed`] at (1000, −2000, 500) and at (148376, 1234, −223423), a place from the tests of
-/// Embree.
-fn no_ray_leaves_a_closed_mesh_where_coordinates_are_coarse(trial: &mut Trial) {
-    let rays = trial.rays;
-    trial.rays = rays.div_ceil(2);
-    sealed(trial, vec3(1000.0, -2000.0, 500.0));
-    trial.rays = rays / 2;
-    sealed(trial, vec3(148_376.0, 1234.0, -223_423.0));
-}
-
 /// Two or three equal corners, each coordinate 10⁻⁸ to 10⁸, rays aimed at what is left of them.
 fn a_point_or_a_segment_is_never_hit(trial: &mut Trial) {
     for _ in 0..trial.rays {
@@ -209,131 +125,6 @@ fn a_point_or_a_segment_is_never_hit(trial: &mut Trial) {
             trial.require(intersect(&ray, &corners).is_none(), || named(&ray, &corners));
         }
     }
-}
-
-/// Two facts, each for half of the rays: where nothing has to be rounded the answer is that of
-/// integers, and elsewhere it is that of exact arithmetic unless the ray passes an edge within the
-/// rounding of the vertices.
-fn the_edges_of_needles_are_decided_exactly(trial: &mut Trial) {
-    for i in 0..trial.rays {
-        if i % 2 == 0 {
-            decide_on_a_grid(trial);
-        } else {
-            decide_anywhere(trial);
-        }
-    }
-}
-
-/// Coordinates are integers below 2¹⁹, the direction is (p, q, ±4) with |p|, |q| ≤ 4 in some order:
-/// differences, shear and sheared vertices have at most 24 bits, and no rounding occurs before the
-/// edges are decided. The needle's middle corner is the grid point next to its long edge, at a
-/// third of a unit from it: an aspect of 10⁶. The ray passes through a grid point at or beside that
-/// edge.
-///
-/// A hit is expected just if the three integers U, V, W have no two signs, their sum is not 0, and
-/// the plane lies ahead. (They are below 2⁴⁶, so doubles are integers here.) An origin next to the
-/// plane is the matter of T15 and left out.
-fn decide_on_a_grid(trial: &mut Trial) {
-    const REACH: f64 = 262_144.0;
-    let random = &mut trial.random;
-    let whole = |random: &mut Random, end: f64| random.between(-end - 0.5, end + 0.5).round();
-    let step = |random: &mut Random| DVec3::from_array([(); 3].map(|()| whole(random, 1.0)));
-    let [a, b] = [(); 2].map(|()| (REACH * random.in_cube()).round());
-    let c = a.lerp(b, random.unit()).round();
-    let beside = a.lerp(b, random.unit()).round() + step(random);
-    let target = [beside, a, b, c][(random.below(8) as usize).saturating_sub(4)];
-    let sign = if random.below(2) == 0 { 1.0 } else { -1.0 };
-    let mut d = [whole(random, 4.0), whole(random, 4.0), 4.0 * sign];
-    d.rotate_left(random.below(3) as usize);
-    let d = DVec3::from_array(d).clamp(DVec3::splat(-4.0), DVec3::splat(4.0));
-    let origin = target - (1 + random.below(32_768)) as f64 * d;
-
-    let [va, vb, vc] = [a, b, c].map(|v| v - origin);
-    let [u, v, w] = [d.dot(vb.cross(vc)), d.dot(vc.cross(va)), d.dot(va.cross(vb))];
-    let inside = u.max(v).max(w) <= 0.0 || u.min(v).min(w) >= 0.0;
-    let n = (b - a).cross(c - a);
-    let (height, speed) = (n.dot(va), n.dot(d));
-    if height != 0.0 && height.abs() < 1e-5 * n.abs().dot(DVec3::splat(REACH)) {
-        return;
-    }
-    let expected = inside && u + v + w != 0.0 && height * speed > 0.0;
-
-    let scale = libm::exp2f(whole(random, 20.0) as f32);
-    let place = |p: DVec3| scale * p.as_vec3();
-    let corners = [a, b, c].map(place);
-    let ray = Ray::new(place(origin), d.as_vec3());
-    let hit = intersect(&ray, &corners);
-    trial.require(hit.is_some() == expected, || {
-        format!("U, V, W = {u}, {v}, {w}, t = {height}/{speed}, {hit:?}: {}", named(&ray, &corners))
-    });
-}
-
-/// A vertex as a ray sees it, in double precision.
-#[derive(Clone, Copy)]
-struct Seen {
-    /// The sheared vertex.
-    at: DVec3,
-    /// By how much single precision may have moved its x and its y: γ(6) max |v − o|.
-    error: f64,
-}
-
-impl Seen {
-    fn new(ray: &Ray, vertex: Vec3) -> Self {
-        let frame = ShearedRay::new(ray);
-        let d = ray.direction.as_dvec3();
-        let v = vertex.as_dvec3() - ray.origin.as_dvec3();
-        let [x, y, z] = frame.axes;
-        let at = dvec3(v[x] - d[x] / d[z] * v[z], v[y] - d[y] / d[z] * v[z], v[z]);
-        Self { at, error: gamma(6) * v.abs().max_element() }
-    }
-
-    /// On which side of the edge from `self` to `to` the ray passes; `Equal` if the roundings of
-    /// the vertices decide that. Those of double precision are 2⁻²⁶ as large and do not count.
-    fn side(&self, to: &Self) -> Ordering {
-        let (a, b) = (self.at, to.at);
-        let cross = a.x * b.y - a.y * b.x;
-        let [size_a, size_b] = [a, b].map(|p| p.x.abs() + p.y.abs());
-        let zone = self.error * size_b + to.error * size_a + 2.0 * self.error * to.error;
-        if cross.abs() <= 1.001 * zone { Ordering::Equal } else { cross.total_cmp(&0.0) }
-    }
-}
-
-/// Two needles with a common long edge, aspects of 10³ to 10⁷, rays aimed at it and beside it. Each
-/// edge that the ray passes farther away than the vertices are rounded decides as exact arithmetic
-/// does; and a ray within all four outer edges by that much hits one of the two.
-fn decide_anywhere(trial: &mut Trial) {
-    let random = &mut trial.random;
-    let scale = random.magnitude(-8.0, 8.0);
-    let [a, b] = [(); 2].map(|()| random.in_cube());
-    let along = b - a;
-    let across = along.cross(random.direction()).normalize_or(DVec3::Z);
-    let thin = random.magnitude(-7.0, -3.0) * along.length();
-    let [c, d] = [1.0, -1.0].map(|side| a + random.unit() * along + side * thin * across);
-    let target = a + random.unit() * along + random.between(-1.2, 1.2) * thin * across;
-    let target = if random.below(2) == 0 { target } else { a + random.unit() * along };
-    let eye = target + random.magnitude(-2.0, 2.0) * random.direction();
-    let place = |p: DVec3| (scale * p).as_vec3();
-    let [a, b, c, d] = [a, b, c, d].map(place);
-    let Some(ray) = toward(place(eye), place(target)) else { return };
-
-    let [hit_c, hit_d] = [[a, b, c], [b, a, d]].map(|corners| intersect(&ray, &corners).is_some());
-    let [sa, sb, sc, sd] = [a, b, c, d].map(|v| Seen::new(&ray, v));
-    let [ab, bc, ca] = [sa.side(&sb), sb.side(&sc), sc.side(&sa)];
-    let [ad, db] = [sa.side(&sd), sd.side(&sb)];
-    let agrees = |hit: bool, sides: [Ordering; 3]| {
-        let [left, right] = [Ordering::Greater, Ordering::Less].map(|side| sides.contains(&side));
-        let on_edge = sides.contains(&Ordering::Equal);
-        if left && right { !hit } else { on_edge || hit }
-    };
-    let outer = [bc, ca, ad, db];
-    let one_side = outer.iter().all(|&side| side == outer[0] && side != Ordering::Equal);
-    let holds = agrees(hit_c, [ab, bc, ca])
-        && agrees(hit_d, [ab.reverse(), ad, db])
-        && (!one_side || hit_c || hit_d);
-    trial.require(holds, || {
-        let sides = [ab, bc, ca, ad, db];
-        format!("{hit_c}, {hit_d} with sides {sides:?}: {}", named(&ray, &[a, b, c, d]))
-    });
 }
 
 /// Planes in which no rounding leads out: x = const, and x = ±y, for all axes and 16 decades.

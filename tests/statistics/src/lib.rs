@@ -27,6 +27,7 @@ mod beta;
 mod chi_squared;
 mod directions;
 mod gamma;
+mod grouped;
 mod images;
 mod mean;
 mod moments;
@@ -46,6 +47,7 @@ pub use beta::{
 pub use chi_squared::{ChiSquared, assert_chi_squared, check_chi_squared};
 pub use directions::{Grid, Rejected, assert_directions, check_directions};
 pub use gamma::{chi_squared_critical, chi_squared_upper_tail, gamma_upper_tail};
+pub use grouped::grouped;
 pub use images::{Agreement, Block, Criterion, assert_images, compare_images};
 pub use mean::{
     ROUNDING, assert_mean, assert_same_mean, assert_variance, check_mean, check_same_mean,

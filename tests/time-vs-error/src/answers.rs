@@ -2,9 +2,11 @@
 
 use std::fmt::Write;
 
+use statistics::grouped;
+
 use crate::comparison::{Ratio, best};
 use crate::curve::{Curve, Point};
-use crate::markdown::{count, factor, percent, scientific};
+use crate::markdown::{factor, percent, scientific};
 use crate::report::Outcome;
 use crate::tables::Gain;
 
@@ -89,7 +91,7 @@ pub fn trees(gains: &[Gain]) -> Option<String> {
     let largest = gains.last()?;
     let from = |value: fn(&Gain) -> f64| {
         let losing = gains.iter().rposition(|gain| value(gain) <= CLEARLY);
-        gains.get(losing.map_or(0, |i| i + 1)).map(|gain| count(u64::from(gain.triangles)))
+        gains.get(losing.map_or(0, |i| i + 1)).map(|gain| grouped(u64::from(gain.triangles)))
     };
     let from_render = from(|gain| gain.render)?;
     let from_building = from(|gain| gain.with_building)?;
@@ -97,7 +99,7 @@ pub fn trees(gains: &[Gain]) -> Option<String> {
         "From {from_render} triangles on, a render with the tree is clearly faster; with the time \
          of building it, for one sample a pixel, from {from_building} on. At {} triangles the \
          render without tree takes {} times as long.",
-        count(u64::from(largest.triangles)),
+        grouped(u64::from(largest.triangles)),
         factor(largest.render)
     ))
 }

@@ -6,9 +6,11 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use statistics::grouped;
+
 use crate::curve::Spread;
 use crate::error::{Error, Result};
-use crate::markdown::{count, factor, scientific, table};
+use crate::markdown::{factor, scientific, table};
 use crate::row::spent;
 use crate::scene::assets;
 use crate::stages::{Rendered, STAGES, Stages};
@@ -148,8 +150,8 @@ pub fn markdown(counted: &[Counted]) -> String {
     let row = |Counted { scene, stage, counts }: &Counted| {
         let kinds = ["camera", "shadow", "reflection", "refraction", "scatter"];
         let mut cells = vec![(*scene).to_owned(), (*stage).to_owned()];
-        cells.extend(kinds.map(|kind| count(counts.ray(kind))));
-        cells.extend(["volume", "primitive"].map(|kind| count(counts.tests(kind))));
+        cells.extend(kinds.map(|kind| grouped(counts.ray(kind))));
+        cells.extend(["volume", "primitive"].map(|kind| grouped(counts.tests(kind))));
         cells.push(skipped(counts));
         cells
     };
@@ -159,7 +161,7 @@ pub fn markdown(counted: &[Counted]) -> String {
 /// What was skipped, in words.
 fn skipped(counts: &Counts) -> String {
     let reasons = counts.skipped.iter().filter(|(_, n)| **n > 0);
-    let words = reasons.map(|(reason, n)| format!("{} {}", count(*n), reason.replace('_', " ")));
+    let words = reasons.map(|(reason, n)| format!("{} {}", grouped(*n), reason.replace('_', " ")));
     words.collect::<Vec<_>>().join("; ")
 }
 
@@ -289,7 +291,7 @@ pub fn worth_markdown(worths: &[Worth]) -> String {
     let row = |worth: &Worth| {
         let ratio = |of: fn(&Counts) -> u64| {
             let [with, without] = worth.counts.each_ref().map(of);
-            format!("{} / {}", count(with), count(without))
+            format!("{} / {}", grouped(with), grouped(without))
         };
         let tests = |counts: &Counts| counts.tests("volume") + counts.tests("primitive");
         vec![

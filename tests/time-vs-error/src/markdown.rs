@@ -60,24 +60,9 @@ pub fn percent(mean: Mean) -> String {
     format!("{value} ± {width:.digits$} %")
 }
 
-/// A count with its digits in groups of three.
-#[must_use]
-pub fn count(n: u64) -> String {
-    let digits = n.to_string();
-    let mut grouped = String::with_capacity(2 * digits.len());
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i).is_multiple_of(3) {
-            // A narrow space at which no line breaks.
-            grouped.push('\u{202f}');
-        }
-        grouped.push(digit);
-    }
-    grouped
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{count, factor, percent, scientific, table};
+    use super::{factor, percent, scientific, table};
     use crate::curve::Mean;
 
     #[test]
@@ -88,7 +73,6 @@ mod tests {
         assert_eq!(numbers, ["3.1·10<sup>−5</sup>", "−2.0", "–"], "powers");
         let mean = Mean { value: -0.012, error: 0.001, interval: 0.0031 };
         assert_eq!(percent(mean), "−1.20 ± 0.31 %", "percent");
-        assert_eq!(count(1_234_567), "1\u{202f}234\u{202f}567", "a count");
     }
 
     #[test]

@@ -6,11 +6,13 @@ use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
 use workbench::Image;
 
+use statistics::grouped;
+
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::flip::flip;
 use crate::folder;
-use crate::markdown::{count, factor, table};
+use crate::markdown::{factor, table};
 use crate::measures;
 use crate::report::Outcome;
 use crate::scene::{Answer, Scene};
@@ -148,7 +150,7 @@ fn described(taken: &[Taken]) -> String {
         vec![
             place.to_owned(),
             format!("`{}`", taken.name),
-            count(u64::from(taken.samples)),
+            grouped(u64::from(taken.samples)),
             factor(taken.seconds / first.seconds),
             factor(taken.rel_mse / first.rel_mse),
             format!("{:.3}", taken.flip),

@@ -1,8 +1,10 @@
 //! The tables beside the plots.
 
+use statistics::grouped;
+
 use crate::curve::{Curve, Point};
 use crate::experiment::Setting;
-use crate::markdown::{count, factor, percent, scientific, table};
+use crate::markdown::{factor, percent, scientific, table};
 use crate::report::Outcome;
 
 /// The table of an outcome's curves at their most samples.
@@ -30,7 +32,7 @@ pub fn errors(outcome: &Outcome<'_>) -> String {
         );
         Some(vec![
             curve.setting.name.clone(),
-            count(u64::from(point.samples)),
+            grouped(u64::from(point.samples)),
             factor(curve.seconds_a_sample() / unit),
             scientific(point.rel_mse.value),
             slope,
@@ -101,7 +103,7 @@ impl Gain {
 pub fn trees(gains: &[Gain]) -> String {
     let row = |gain: &Gain| {
         vec![
-            count(u64::from(gain.triangles)),
+            grouped(u64::from(gain.triangles)),
             factor(gain.render),
             factor(gain.with_building),
             if gain.same_picture { "yes" } else { "no" }.to_owned(),
@@ -118,7 +120,7 @@ pub fn whitted(outcome: &Outcome<'_>) -> String {
     let row = |setting: &Setting, point: &Point| {
         vec![
             setting.name.clone(),
-            count(u64::from(point.samples)),
+            grouped(u64::from(point.samples)),
             scientific(point.rel_mse.value),
             scientific(point.shading.value),
             scientific(point.sampling.value),
