@@ -2,6 +2,7 @@
 
 mod cones;
 mod near;
+mod needs;
 mod plates;
 pub(crate) mod stage;
 mod tables;
@@ -22,4 +23,6 @@ pub(super) const FIGURES: &[Figure] = &[
     Figure { file: "07-light-sampling/plates.md", draw: plates::table },
     Figure { file: "07-light-sampling/errors.md", draw: tables::errors },
     Figure { file: "07-light-sampling/rays.md", draw: tables::rays },
+    Figure { file: "07-light-sampling/needs.png", draw: needs::pictures },
+    Figure { file: "07-light-sampling/needs-numbers.md", draw: needs::numbers },
 ];

@@ -58,8 +58,10 @@ pub struct Estimate {
     /// The variance of that mean for each pixel and channel, s²/n, in squared units of the
     /// picture. NaN where a sample was not finite, and everywhere below 2 samples a pixel.
     pub variance_of_mean: Image,
-    /// Samples a pixel.
+    /// Samples a pixel; where pixels differ, the fewest.
     pub samples: u32,
+    /// The samples of each pixel, row by row.
+    pub counts: Vec<u32>,
     /// `None` below four samples a pixel, and after a sample that is not finite.
     pub(crate) likely_error: Option<LikelyError>,
 }

@@ -10,7 +10,8 @@ use crate::{Error, Estimate, Film, FilmPoint, Image, Sampler};
 /// The most pixels of a picture: with 64 bytes a pixel for film, picture and file, 4 GiB.
 pub(crate) const LARGEST_PICTURE: u64 = 1 << 26;
 
-/// The most pixels of a picture that estimates its error, which takes 96 bytes a pixel more: 5 GiB.
+/// The most pixels of a picture that estimates its error, which takes 96 bytes a pixel more, and under
+/// `--error` 104 more than that: 8 GiB.
 pub(crate) const LARGEST_ESTIMATE: u64 = 1 << 25;
 
 /// The longest side of a picture in pixels: f32 film coordinates still tell 256 points of a pixel
@@ -65,8 +66,9 @@ pub fn expose_estimate<R: Into<[f32; 3]>>(
     exposed(settings, goal, Film::estimating, radiance).strict_estimate()
 }
 
-/// The picture that `--error` renders: samples are added until the estimated relative error is at
-/// most `error`, a fraction of 1, or until there are `settings.samples` a pixel.
+/// The picture that `--error` renders: samples are added, more of them where they are needed more,
+/// until the estimated relative error is at most `error`, a fraction of 1, or until there are
+/// `settings.samples` a pixel.
 ///
 /// Panics like [`expose`].
 pub fn expose_until<R: Into<[f32; 3]>>(
@@ -75,7 +77,8 @@ pub fn expose_until<R: Into<[f32; 3]>>(
     radiance: impl Fn(FilmPoint, &mut Sampler) -> R + Sync,
 ) -> Estimate {
     let goal = Goal { samples: settings.samples, error: Some(error) };
-    exposed(settings, goal, Film::estimating, radiance).strict_estimate()
+    let film = |size| Film::estimating(size)?.sharing();
+    exposed(settings, goal, film, radiance).strict_estimate()
 }
 
 /// A film of that kind, exposed until the goal is reached.
@@ -90,8 +93,8 @@ fn exposed<R: Into<[f32; 3]>>(
     }
     let mut film = film(settings.size).unwrap_or_else(|error| panic!("the film: {error}"));
     let mut expose_all = || {
-        goal.pursue(&mut film, |film, samples| {
-            film.expose(settings.seed, samples, &radiance, &|| false, &|_| ());
+        goal.pursue(&mut film, |film, portion| {
+            film.expose(settings.seed, portion, &radiance, &|| false, &|_| ());
             true
         });
     };
@@ -123,11 +126,13 @@ pub(crate) fn check_size(size: [u32; 2], largest: u64) -> Result<(), String> {
     Ok(())
 }
 
-/// The film that was asked for, or why there is none.
+/// The film that was asked for, or why there is none: of one pixel or all, one that estimates its
+/// error or not, one that shares its samples out or not.
 pub(crate) fn film(
     size: [u32; 2],
     pixel: Option<[u32; 2]>,
     estimates: bool,
+    shares: bool,
 ) -> Result<Film, Error> {
     let film = match (pixel, estimates) {
         (None, false) => Film::new(size),
@@ -135,6 +140,7 @@ pub(crate) fn film(
         (Some(pixel), false) => Film::single_pixel(size, pixel),
         (Some(pixel), true) => Film::estimating_pixel(size, pixel),
     };
+    let film = film.and_then(|film| if shares { film.sharing() } else { Ok(film) });
     film.map_err(|_| {
         let [width, height] = size;
         Error::Memory(format!("a picture of {width}×{height} pixels does not fit in memory"))

@@ -5,7 +5,9 @@ use std::collections::TryReserveError;
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 
 use crate::estimate::LikelyError;
+use crate::need::{self, Need};
 use crate::pixel_sum::PixelSum;
+use crate::portion::Portion;
 use crate::spread::{self, Spread};
 use crate::{Estimate, FilmPoint, Image, Sampler};
 
@@ -25,6 +27,8 @@ struct Tile {
     pixels: Vec<PixelSum>,
     /// One for each pixel if the film estimates its error, else none.
     spreads: Vec<Spread>,
+    /// One for each pixel if the film shares its samples out, else none.
+    needs: Vec<Need>,
 }
 
 impl Tile {
@@ -39,10 +43,10 @@ impl Tile {
         self.coordinates().zip(&self.pixels)
     }
 
-    /// Adds samples to pixel number `i` of the tile.
+    /// Adds samples to pixel number `i` of the tile; `is_even` if all pixels get as many.
     ///
     /// Whether spreads are wanted is asked here, once for a batch of samples.
-    fn add(&mut self, i: usize, batch: &[[f32; 3]]) {
+    fn add(&mut self, i: usize, batch: &[[f32; 3]], is_even: bool) {
         let sum = &mut self.pixels[i];
         let Some(spread) = self.spreads.get_mut(i) else {
             for &radiance in batch {
@@ -50,9 +54,24 @@ impl Tile {
             }
             return;
         };
+        let mut need = self.needs.get_mut(i).filter(|_| is_even);
         for &radiance in batch {
             if sum.add(radiance) {
                 spread.add(sum.finite - 1, radiance);
+                if let Some(need) = &mut need {
+                    need.add(radiance);
+                }
+            }
+        }
+    }
+
+    /// How many samples pixel number `i` gets of a portion.
+    fn due(&self, i: usize, portion: Portion) -> u32 {
+        match portion {
+            Portion::Even(samples) => samples,
+            Portion::Wanted(most) => {
+                let wanted = self.needs.get(i).map_or(0, |need| need.wanted);
+                wanted.saturating_sub(self.pixels[i].taken).min(most)
             }
         }
     }
@@ -98,7 +117,8 @@ impl Film {
                 pixels.resize(count, PixelSum::default());
                 tiles.try_reserve(1)?;
                 let origin = [origin[0] + x, origin[1] + y];
-                tiles.push(Tile { origin, width, pixels, spreads: Vec::new() });
+                let (spreads, needs) = (Vec::new(), Vec::new());
+                tiles.push(Tile { origin, width, pixels, spreads, needs });
             }
         }
         Ok(Self { size, origin, extent, tiles })
@@ -125,7 +145,16 @@ impl Film {
         Ok(self)
     }
 
-    /// Adds `samples` samples to every pixel, on the current pool of threads.
+    /// The same film, which in addition finds out where samples are needed most.
+    pub(crate) fn sharing(mut self) -> Result<Self, TryReserveError> {
+        for tile in &mut self.tiles {
+            tile.needs.try_reserve_exact(tile.pixels.len())?;
+            tile.needs.resize(tile.pixels.len(), Need::default());
+        }
+        Ok(self)
+    }
+
+    /// Adds samples to the pixels, on the current pool of threads.
     ///
     /// `stop` is asked before each tile; the tiles that follow stay as they are. `done` hears of
     /// the samples of each tile.
@@ -136,7 +165,7 @@ impl Film {
     pub(crate) fn expose<R: Into<[f32; 3]>>(
         &mut self,
         seed: u64,
-        samples: u32,
+        portion: Portion,
         radiance: &(impl Fn(FilmPoint, &mut Sampler) -> R + Sync),
         stop: &(impl Fn() -> bool + Sync),
         done: &(impl Fn(u64) + Sync),
@@ -146,11 +175,15 @@ impl Film {
             if stop() {
                 return;
             }
+            let is_even = matches!(portion, Portion::Even(_));
             let mut batch = [[0.0; 3]; BATCH as usize];
+            let mut added = 0;
             for (i, pixel) in (0..tile.pixels.len()).zip(tile.coordinates()) {
                 let index = u64::from(pixel[1]) * u64::from(size[0]) + u64::from(pixel[0]);
                 let mut sample = tile.pixels[i].taken;
-                let end = sample + samples;
+                let due = tile.due(i, portion);
+                let end = sample + due;
+                added += u64::from(due);
                 while sample < end {
                     let batch = &mut batch[..BATCH.min(end - sample) as usize];
                     for slot in &mut *batch {
@@ -159,11 +192,45 @@ impl Film {
                         *slot = radiance(point, &mut sampler).into();
                         sample += 1;
                     }
-                    tile.add(i, batch);
+                    tile.add(i, batch, is_even);
                 }
             }
-            done(tile.pixels.len() as u64 * u64::from(samples));
+            done(added);
         });
+    }
+
+    /// Decides how many samples each pixel should hold, `average` on average and at most `most`: those
+    /// in noisy surroundings more than others. Returns the most that one of them lacks.
+    pub(crate) fn share_out(&mut self, average: u32, most: u32) -> u32 {
+        let width = self.extent[0] as usize;
+        let pixels = self.pixel_count() as usize;
+        let (mut variances, mut held) = (vec![f64::NAN; pixels], vec![0; pixels]);
+        let place = self.place();
+        for tile in &self.tiles {
+            for ((pixel, sum), need) in tile.pixels().zip(&tile.needs) {
+                variances[place(pixel)] = need.relative_variance().unwrap_or(f64::NAN);
+                held[place(pixel)] = sum.taken;
+            }
+        }
+        let total = u64::from(average) * pixels as u64;
+        let wanted = need::shares(&need::needs(&variances, width), &held, total, most);
+        for tile in &mut self.tiles {
+            for (pixel, need) in tile.coordinates().zip(&mut tile.needs) {
+                need.wanted = wanted[place(pixel)];
+            }
+        }
+        wanted.iter().zip(&held).map(|(wanted, held)| wanted - held).max().unwrap_or(0)
+    }
+
+    /// Whether the film finds out where samples are needed most.
+    pub(crate) fn shares(&self) -> bool {
+        self.tiles.iter().any(|tile| !tile.needs.is_empty())
+    }
+
+    /// Which place a pixel has among those of the film, row by row.
+    fn place(&self) -> impl Fn([u32; 2]) -> usize + use<> {
+        let ([left, top], width) = (self.origin, self.extent[0] as usize);
+        move |[x, y]| (y - top) as usize * width + (x - left) as usize
     }
 
     /// Width and height of the whole picture in pixels.
@@ -194,9 +261,9 @@ impl Film {
     /// The picture with these values of its pixels.
     fn arranged(&self, values: impl Iterator<Item = ([u32; 2], [f32; 3])>) -> Image {
         let mut image = Image::new(self.extent[0], self.extent[1]);
+        let place = self.place();
         for (pixel, value) in values {
-            let (x, y) = (pixel[0] - self.origin[0], pixel[1] - self.origin[1]);
-            image.pixels[y as usize * self.extent[0] as usize + x as usize] = value;
+            image.pixels[place(pixel)] = value;
         }
         image
     }
@@ -211,6 +278,7 @@ impl Film {
             image: self.strict_image(),
             variance_of_mean: self.arranged(self.spreads().map(variance)),
             samples: self.samples()[0],
+            counts: self.counts(),
             likely_error: self.likely_error().filter(|_| self.non_finite_samples() == 0),
         }
     }
@@ -253,10 +321,25 @@ impl Film {
         [taken().min().unwrap_or(0), taken().max().unwrap_or(0)]
     }
 
+    /// The samples of each pixel, row by row.
+    fn counts(&self) -> Vec<u32> {
+        let mut counts = vec![0; self.pixel_count() as usize];
+        let place = self.place();
+        for (pixel, sum) in self.pixels() {
+            counts[place(pixel)] = sum.taken;
+        }
+        counts
+    }
+
     /// All samples of all pixels.
     #[must_use]
     pub fn total_samples(&self) -> u64 {
         self.pixels().map(|(_, sum)| u64::from(sum.taken)).sum()
+    }
+
+    /// Samples a pixel, rounded down where pixels differ.
+    pub(crate) fn average_samples(&self) -> u32 {
+        (self.total_samples() / self.pixel_count().max(1)) as u32
     }
 
     /// How many samples were not finite, and are left out of the picture.
@@ -302,6 +385,7 @@ mod tests {
 
     use super::{Film, TILE};
     use crate::goal::Goal;
+    use crate::portion::Portion;
     use crate::{FilmPoint, FilmSettings, Image, Sampler, expose};
 
     const SETTINGS: FilmSettings =
@@ -322,7 +406,7 @@ mod tests {
     #[test]
     fn the_picture_does_not_depend_on_passes() {
         let mut film = Film::new(SETTINGS.size).expect("a small film");
-        film.expose(SETTINGS.seed, SETTINGS.samples, &noise, &|| false, &|_| ());
+        film.expose(SETTINGS.seed, Portion::Even(SETTINGS.samples), &noise, &|| false, &|_| ());
         assert_eq!(film.image().hash(), expose(&SETTINGS, noise).hash(), "one pass and many");
     }
 
@@ -348,7 +432,7 @@ mod tests {
             let add = |samples| {
                 done.fetch_add(samples, Ordering::SeqCst);
             };
-            film.expose(0, 1, &slow, &|| false, &add);
+            film.expose(0, Portion::Even(1), &slow, &|| false, &add);
         });
         assert_eq!(others(), tiles, "tiles");
     }
@@ -363,7 +447,7 @@ mod tests {
     fn a_single_pixel_is_that_of_the_whole_picture() {
         let whole = expose(&SETTINGS, noise);
         let mut film = Film::single_pixel(SETTINGS.size, [30, 20]).expect("a small film");
-        film.expose(SETTINGS.seed, SETTINGS.samples, &noise, &|| false, &|_| ());
+        film.expose(SETTINGS.seed, Portion::Even(SETTINGS.samples), &noise, &|| false, &|_| ());
         assert_eq!(film.image().pixel(0, 0), whole.pixel(30, 20), "pixel (30, 20)");
         assert_eq!(film.total_samples(), 5, "samples");
     }
@@ -406,8 +490,8 @@ mod tests {
             _ if sampler.next_1d() < 0.5 => [0.0, f32::NEG_INFINITY, f32::INFINITY],
             _ => [2.0; 3],
         };
-        Goal { samples: 64, error: None }.pursue(&mut film, |film, samples| {
-            film.expose(0, samples, &radiance, &|| false, &|_| ());
+        Goal { samples: 64, error: None }.pursue(&mut film, |film, portion| {
+            film.expose(0, portion, &radiance, &|| false, &|_| ());
             true
         });
         let expected = [[1.0; 3], [f32::MAX; 3], [2.0; 3]];
@@ -422,7 +506,7 @@ mod tests {
     #[test]
     fn a_pixel_without_a_finite_sample_is_magenta() {
         let mut film = Film::new([1, 1]).expect("a small film");
-        film.expose(0, 3, &|_, _: &mut Sampler| [f32::NAN; 3], &|| false, &|_| ());
+        film.expose(0, Portion::Even(3), &|_, _: &mut Sampler| [f32::NAN; 3], &|| false, &|_| ());
         assert_eq!(film.image().to_srgb8(), [255, 0, 255], "the bytes");
     }
 
@@ -430,8 +514,8 @@ mod tests {
     fn a_film_without_samples_is_black_and_a_stopped_one_keeps_what_it_has() {
         let mut film = Film::new([40, 40]).expect("a small film");
         assert_eq!(film.image(), Image::new(40, 40), "before the first sample");
-        film.expose(0, 2, &|_, _: &mut Sampler| [1.0; 3], &|| false, &|_| ());
-        film.expose(0, 2, &|_, _: &mut Sampler| [9.0; 3], &|| true, &|_| ());
+        film.expose(0, Portion::Even(2), &|_, _: &mut Sampler| [1.0; 3], &|| false, &|_| ());
+        film.expose(0, Portion::Even(2), &|_, _: &mut Sampler| [9.0; 3], &|| true, &|_| ());
         assert_eq!(film.samples(), [2, 2], "samples after a stop");
         assert_eq!(film.image().max(), [1.0; 3], "the picture after a stop");
     }

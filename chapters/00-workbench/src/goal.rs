@@ -1,8 +1,9 @@
 //! When a picture is good enough.
 
 use crate::Film;
+use crate::portion::Portion;
 
-/// Under `--error`, the fewest samples a pixel: eight in each half of its spread, so that the
+/// Under `--error`, the fewest samples of each pixel: eight in each half of its spread, so that the
 /// variances of most pixels are known to a factor of two, and their mean much better.
 const FEWEST_A_PIXEL: u32 = 16;
 
@@ -25,21 +26,39 @@ pub(crate) struct Goal {
 }
 
 impl Goal {
-    /// Calls `pass` with the number of samples to add to every pixel, until the goal is reached or
-    /// it returns false.
-    pub(crate) fn pursue(&self, film: &mut Film, mut pass: impl FnMut(&mut Film, u32) -> bool) {
-        let mut taken = 0;
+    // ANCHOR: pursue
+    /// Calls `pass` with what it should add to the film, until the goal is reached or it returns
+    /// false.
+    ///
+    /// From the first look at the error on, half of all samples go to every pixel alike, and the
+    /// other half to where [`need`](crate::need) sends them. So whatever is sent where it does no
+    /// good, no picture needs more than twice the samples that it would need if all pixels got alike.
+    pub(crate) fn pursue(&self, film: &mut Film, mut pass: impl FnMut(&mut Film, Portion) -> bool) {
+        let mut taken = 0; // on average
+        let mut alike = 0; // of those, as many by every pixel
         loop {
             let total = self.next_total(film, taken);
-            if total == taken || !pass(film, total - taken) {
+            if total == taken {
                 return;
             }
-            taken = total;
+            let is_shared = film.shares() && total > fewest(film);
+            let even = if is_shared { alike.max(total.div_ceil(2)) } else { total };
+            if !pass(film, Portion::Even(even - alike)) {
+                return;
+            }
+            if is_shared {
+                let most = film.share_out(total, self.samples);
+                if !pass(film, Portion::Wanted(most)) {
+                    return;
+                }
+            }
+            (taken, alike) = (total, even);
         }
     }
+    // ANCHOR_END: pursue
 
     // ANCHOR: next-total
-    /// How many samples every pixel should hold next; `taken`, if those that it holds are enough.
+    /// How many samples a pixel should hold next, on average; `taken`, if those it holds are enough.
     ///
     /// Until there is an error to go by, 1, 2, 4, 8 …: after each pass the film holds a whole
     /// picture. From then on ε falls as 1/√n, which tells how many it should take. A twentieth
@@ -47,9 +66,7 @@ impl Goal {
     /// now, because every look at the error is a chance to stop on a lucky one; at most twice as
     /// many, because a poor estimate must not cost too much.
     ///
-    /// The answer depends on samples alone, never on threads or time. It is the same for
-    /// all pixels: one that stopped by its own estimate would stop when it happens not to have
-    /// met its rare bright samples, and be too dark on average.
+    /// The answer depends on samples alone, never on threads or time.
     pub(crate) fn next_total(&self, film: &Film, taken: u32) -> u32 {
         let doubled = taken.saturating_mul(2).max(1);
         let next = match self.error {
@@ -92,13 +109,14 @@ pub(crate) fn is_reached(film: &Film, wanted: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{Goal, is_reached, predicted_total};
+    use crate::portion::Portion;
     use crate::{Film, Sampler};
 
     /// A film of 16 × 16 pixels with `count` samples of a uniform number times `brightness`.
     fn film(count: u32, brightness: f32) -> Film {
         let mut film = Film::estimating([16, 16]).expect("a small film");
         let radiance = |_, sampler: &mut Sampler| [sampler.next_1d() * brightness; 3];
-        film.expose(0, count, &radiance, &|| false, &|_| ());
+        film.expose(0, Portion::Even(count), &radiance, &|| false, &|_| ());
         film
     }
 
@@ -106,8 +124,8 @@ mod tests {
     fn without_an_error_the_passes_double_up_to_the_samples() {
         let mut film = Film::new([3, 2]).expect("a small film");
         let mut passes = Vec::new();
-        Goal { samples: 21, error: None }.pursue(&mut film, |_, samples| {
-            passes.push(samples);
+        Goal { samples: 21, error: None }.pursue(&mut film, |_, portion| {
+            passes.push(portion.most());
             true
         });
         assert_eq!(passes, [1, 1, 2, 4, 8, 5], "the passes");
@@ -118,8 +136,8 @@ mod tests {
         for (size, fewest) in [([1, 1], 4096), ([5, 3], 274), ([16, 16], 16), ([100, 100], 16)] {
             let mut film = Film::estimating(size).expect("a small film");
             let goal = Goal { samples: u32::MAX, error: Some(0.01) };
-            goal.pursue(&mut film, |film, samples| {
-                film.expose(0, samples, &|_, _: &mut Sampler| [0.3; 3], &|| false, &|_| ());
+            goal.pursue(&mut film, |film, portion| {
+                film.expose(0, portion, &|_, _: &mut Sampler| [0.3; 3], &|| false, &|_| ());
                 true
             });
             assert_eq!(film.samples(), [fewest; 2], "samples of {size:?} equal pixels");
@@ -150,8 +168,8 @@ mod tests {
     fn a_picture_without_a_finite_sample_ends() {
         let mut film = Film::estimating([16, 16]).expect("a small film");
         let goal = Goal { samples: u32::MAX, error: Some(0.01) };
-        goal.pursue(&mut film, |film, samples| {
-            film.expose(0, samples, &|_, _: &mut Sampler| [f32::NAN; 3], &|| false, &|_| ());
+        goal.pursue(&mut film, |film, portion| {
+            film.expose(0, portion, &|_, _: &mut Sampler| [f32::NAN; 3], &|| false, &|_| ());
             true
         });
         assert_eq!(film.samples(), [16, 16], "samples");

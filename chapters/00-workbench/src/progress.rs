@@ -51,10 +51,11 @@ impl Bar {
     }
 
     /// Shows the error of the film, if one was asked for, and expects what it tells.
-    pub(crate) fn show_error(&mut self, film: &Film, goal: &Goal, taken: u32) {
+    pub(crate) fn show_error(&mut self, film: &Film, goal: &Goal) {
         if let (Some(wanted), false) = (goal.error, self.bar.is_hidden())
             && let Some(error) = film.estimated_error()
         {
+            let taken = film.average_samples();
             self.for_error = predicted_total(taken, error, wanted).max(taken);
             self.bar.set_message(format!(", error {}", percent(error)));
         }

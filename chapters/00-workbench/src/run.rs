@@ -164,7 +164,8 @@ impl<E: Args> Run<E> {
         self.samples.set(self.options.samples.or_else(default));
         self.check_pixel(size)?;
 
-        let mut film = film(size, self.options.pixel, self.stage.estimates)?;
+        let Options { pixel, error, .. } = self.options;
+        let mut film = film(size, pixel, self.stage.estimates, error.is_some())?;
         interrupt::keep_the_picture();
         let (film, seconds) = timed(|| {
             self.expose(&mut film, &radiance);
@@ -190,16 +191,15 @@ impl<E: Args> Run<E> {
         let stop = || interrupt::stop() || pace.is_over();
         // The first pass takes one sample a pixel: under `--pixel`, that is the path to tell of.
         self.set_telling(pixel.is_some());
-        let mut taken = 0;
-        goal.pursue(film, |film, samples| {
-            bar.show_error(film, &goal, taken);
-            let end = taken + samples;
-            while taken < end && !stop() {
-                let part = pace.samples(taken).min(end - taken);
+        goal.pursue(film, |film, portion| {
+            bar.show_error(film, &goal);
+            let mut left = portion;
+            while left.most() > 0 && !stop() {
+                let part = left.part(pace.samples(film.average_samples()));
                 film.expose(seed, part, radiance, &stop, &|done| bar.add(done));
                 self.set_telling(false);
-                taken += part;
-                bar.show_time(pace.total(taken));
+                left = left.without(part);
+                bar.show_time(pace.total(film.average_samples()));
             }
             !stop()
         });

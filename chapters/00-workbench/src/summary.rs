@@ -3,12 +3,12 @@
 use crate::Film;
 use crate::goal::is_reached;
 
-/// "16 samples", or "3 to 4 samples".
+/// "16 samples", or "24 (16 to 40) samples", where the first is the average.
 pub(crate) fn samples(film: &Film) -> String {
     match film.samples().into() {
         (1, 1) => "1 sample".to_owned(),
         (fewest, most) if fewest == most => format!("{most} samples"),
-        (fewest, most) => format!("{fewest} to {most} samples"),
+        (fewest, most) => format!("{} ({fewest} to {most}) samples", film.average_samples()),
     }
 }
 
@@ -65,13 +65,14 @@ pub(crate) fn percent(fraction: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::{error, interruption, missed_error, percent, samples};
+    use crate::portion::Portion;
     use crate::{Film, Sampler};
 
     /// A film with `count` samples of brightness 0 or `brightness`, at even odds.
     fn film(count: u32, brightness: f32) -> Film {
         let mut film = Film::estimating([8, 8]).expect("a small film");
         let coin = |_, sampler: &mut Sampler| [(2.0 * sampler.next_1d()).floor() * brightness; 3];
-        film.expose(0, count, &coin, &|| false, &|_| ());
+        film.expose(0, Portion::Even(count), &coin, &|| false, &|_| ());
         film
     }
 

@@ -22,12 +22,13 @@ struct Case {
     factor: fn(FilmPoint, &mut Sampler) -> f32,
 }
 
-const CASES: [Case; 6] = [
+const CASES: [Case; 7] = [
     Case { name: "uniform", size: [8, 8], error: 0.05, mean: white, factor: uniform },
     Case { name: "exponential", size: [8, 8], error: 0.1, mean: colours, factor: exponential },
     Case { name: "rare", size: [8, 8], error: 0.2, mean: colours, factor: rare },
     Case { name: "caustic", size: [16, 16], error: 0.7, mean: white, factor: caustic },
     Case { name: "two noisy pixels", size: [16, 16], error: 0.05, mean: white, factor: noisy },
+    Case { name: "a noisy half", size: [16, 16], error: 0.1, mean: white, factor: half_rare },
     Case { name: "one pixel", size: [1, 1], error: 0.03, mean: white, factor: exponential },
 ];
 
@@ -61,6 +62,11 @@ fn caustic(_: FilmPoint, sampler: &mut Sampler) -> f32 {
 
 fn noisy(point: FilmPoint, sampler: &mut Sampler) -> f32 {
     if point.x < 1.0 && point.y < 2.0 { exponential(point, sampler) } else { 1.0 }
+}
+
+/// On the left, samples hardly differ: there samples are saved, and on the right they are taken.
+fn half_rare(point: FilmPoint, sampler: &mut Sampler) -> f32 {
+    if point.x < 8.0 { 0.8 + 0.2 * uniform(point, sampler) } else { rare(point, sampler) }
 }
 
 impl Case {
@@ -165,7 +171,7 @@ fn stopping_does_not_darken_the_picture() {
     }
 }
 
-/// Pixels that stop by their own estimate are too dark: the reason for one decision for all.
+/// Pixels that stop by their own estimate are too dark: the reason why none has a say in its number.
 #[test]
 fn stopping_each_pixel_for_itself_would_darken_it() {
     let mut sum = 0.0;
@@ -197,12 +203,50 @@ fn the_picture_is_the_same_for_any_number_of_threads() {
 }
 
 #[test]
-fn the_picture_is_that_of_as_many_samples() {
-    let case = &CASES[1];
-    let estimate = case.render(3);
-    let settings = FilmSettings { samples: estimate.samples, ..case.settings(3) };
-    let image = expose(&settings, |point, sampler| case.radiance(point, sampler));
-    assert_eq!(estimate.image.hash(), image.hash(), "{} samples a pixel", estimate.samples);
+fn each_pixel_is_that_of_as_many_samples() {
+    for case in [&CASES[1], &CASES[5]] {
+        let estimate = case.render(3);
+        let of = |samples| {
+            let settings = FilmSettings { samples, ..case.settings(3) };
+            expose(&settings, |point, sampler| case.radiance(point, sampler))
+        };
+        let mut counts = estimate.counts.clone();
+        counts.sort_unstable();
+        counts.dedup();
+        assert!(counts.len() > 1, "{}: all pixels hold {counts:?}", case.name);
+        for count in counts {
+            let image = of(count);
+            for (i, _) in estimate.counts.iter().enumerate().filter(|(_, held)| **held == count) {
+                let [held, alone] = [&estimate.image, &image].map(|image| image.pixels[i]);
+                assert_eq!(held, alone, "{}: pixel {i} of {count} samples", case.name);
+            }
+        }
+    }
+}
+
+/// The variance of one sample is 0.013 on the left and 19 on the right: samples should be as the
+/// roots, 1 to 38, but half of them are taken by all pixels alike.
+#[test]
+fn samples_go_where_they_are_needed() {
+    let case = &CASES[5];
+    let estimate = case.render(0);
+    let [mut quiet, mut noisy] = [Vec::new(), Vec::new()];
+    for (i, &count) in estimate.counts.iter().enumerate() {
+        match i % 16 {
+            0..6 => quiet.push(count),
+            10.. => noisy.push(count),
+            _ => {}
+        }
+    }
+    let all: u32 = estimate.counts.iter().sum();
+    let average = all as f32 / 256.0;
+    let mean = |counts: &[u32]| counts.iter().sum::<u32>() as f32 / counts.len() as f32;
+    let [quiet, noisy] = [quiet, noisy].map(|counts| mean(&counts) / average);
+    assert!((0.49..0.56).contains(&quiet), "{quiet} times the average where it is quiet");
+    assert!((1.4..1.6).contains(&noisy), "{noisy} times the average where it is noisy");
+    let fewest = estimate.counts.iter().min();
+    assert_eq!(fewest, Some(&estimate.samples), "the fewest samples");
+    assert!(f64::from(estimate.samples) >= 0.49 * f64::from(average), "fewest of {average}");
 }
 
 /// A furnace with cosine-weighted directions is such a picture.

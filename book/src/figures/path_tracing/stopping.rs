@@ -36,13 +36,14 @@ pub(super) fn errors() -> Drawing {
     let percent = |error: f64| format!("{:.1} %", 100.0 * error);
     for error in [0.4, 0.2, 0.1, 0.07] {
         let estimate = until(&scene, size, error, 0);
+        let all: u64 = estimate.counts.iter().map(|&count| u64::from(count)).sum();
         table.row([
             format!("{:.0} %", 100.0 * error),
-            count(estimate.samples.into()),
+            count(all / (24 * 24)),
             percent(estimate.relative_error()),
             percent(estimate.rel_mse().sqrt()),
             percent(estimate.image.rel_mse(&truth).sqrt()),
-            count(u64::from(estimate.samples) * 24 * 24),
+            count(all),
         ]);
     }
     table.into()

@@ -32,6 +32,11 @@ fn render(line: &'static str) -> (Run<NoExtra>, Film) {
     (run, film.unwrap_or_else(|error| panic!("{line}: {error}")))
 }
 
+/// Samples a pixel, rounded down.
+fn average(film: &Film) -> u64 {
+    film.total_samples() / (40 * 30)
+}
+
 #[test]
 fn the_error_ends_the_render_and_stands_in_the_summary() {
     let (run, film) = render("stage --error 5%");
@@ -40,7 +45,8 @@ fn the_error_ends_the_render_and_stands_in_the_summary() {
     assert_eq!(film.image().hash(), expected.image.hash(), "the picture");
     assert_eq!(film.estimated_error(), Some(expected.relative_error()), "the error");
     let text = run.summary(&film, false);
-    let samples = format!("40×30 pixels, {} samples a pixel, estimated error 4.", expected.samples);
+    let samples = format!(" ({} to {}) samples", film.samples()[0], film.samples()[1]);
+    let samples = format!("40×30 pixels, {}{samples} a pixel, estimated error 4.", average(&film));
     assert!(text.contains(&samples) && text.contains(" % (relMSE 2."), "no `{samples}` in: {text}");
     assert!(!text.contains("note:"), "{text}");
 }
