@@ -18,6 +18,7 @@ mod interrupt;
 mod mesh;
 mod mtl;
 mod need;
+mod no_skip;
 mod obj_lines;
 mod options;
 mod pace;
@@ -48,6 +49,7 @@ pub use exposure::{Exposure, FilmSettings, expose, expose_estimate, expose_until
 pub use film::Film;
 pub use film_point::FilmPoint;
 pub use image::Image;
+pub use no_skip::NoSkip;
 pub use options::{NoExtra, Options, Stage, StatsTarget};
 pub use probe::{Counter, Probe, Recorder, Unwatched};
 pub use records::{

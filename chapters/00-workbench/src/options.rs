@@ -10,6 +10,7 @@ use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, FromArgMatches, Parser};
 
 use crate::exposure::{LARGEST_PICTURE, check_size};
+use crate::no_skip::NoSkip;
 use crate::picture_file::PictureFormat;
 
 /// What a stage is called, and what it does when the command line says nothing.
@@ -85,6 +86,11 @@ pub struct Options<E: Args> {
     /// Write counters and times as JSON (- = standard output)
     #[arg(long, value_name = "FILE")]
     pub stats: Option<StatsTarget>,
+
+    /// Do work that the picture does not need, and throw the result away: keys under `skipped` of
+    /// --stats, with commas between, or `all`
+    #[arg(long, value_name = "WHAT")]
+    pub no_skip: Option<NoSkip>,
 
     /// Show the picture in the terminal when done
     #[arg(long)]
@@ -213,6 +219,7 @@ mod tests {
     use std::time::Duration;
 
     use super::{NoExtra, Options, Stage, StatsTarget, parse_error, parse_time};
+    use crate::Counter;
 
     const STAGE: Stage = Stage {
         name: "stage",
@@ -239,7 +246,8 @@ mod tests {
     fn every_option_is_read() {
         let options = parse(
             "stage a.toml -o b.exr --size 64x48 --samples 9 --depth 0 --time 2m --seed 7 \
-             --error 3% --threads 3 --pixel 1,2 --stats - --preview --quiet",
+             --error 3% --threads 3 --pixel 1,2 --stats - --preview --quiet \
+             --no-skip any_hit_exits,fresnel_splits",
         );
         assert_eq!(options.scene, PathBuf::from("a.toml"), "the scene");
         assert_eq!(options.output, Some(PathBuf::from("b.exr")), "the output");
@@ -249,6 +257,8 @@ mod tests {
         assert_eq!(options.stats, Some(StatsTarget::StandardOutput), "the statistics");
         assert_eq!(options.time, Some(Duration::from_secs(120)), "the time");
         assert_eq!(options.error, Some(0.03), "the error");
+        let kinds = options.no_skip.map(|no_skip| no_skip.0);
+        assert_eq!(kinds, Some(vec![Counter::AnyHitExits, Counter::FresnelSplits]), "no skip");
         assert!(options.preview && options.quiet, "the switches");
     }
 

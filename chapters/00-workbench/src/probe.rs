@@ -3,6 +3,7 @@
 //! A render is compiled twice, once with [`Unwatched`], in which all of this vanishes, and once
 //! with a [`Recorder`]: counting costs nothing to those who did not ask for it.
 
+use std::hint::black_box;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// Watches a render.
@@ -12,6 +13,17 @@ pub trait Probe: Sync {
 
     /// Adds `by` to a counter. Hot loops count locally and call this once a ray.
     fn count(&self, counter: Counter, by: u64);
+
+    /// Counts `work` that is not done, because it cannot change the picture.
+    ///
+    /// Under `--no-skip` it is not counted but done, and what it finds is thrown away: the picture
+    /// stays the same, and what the skip saves can be measured. So `work` must leave everything as
+    /// it was, random numbers included.
+    fn skip<T>(&self, counter: Counter, work: impl FnOnce() -> T);
+
+    /// Whether work of this kind is skipped, where that is a choice between two ways: true, except
+    /// under `--no-skip`. Who skips it counts it.
+    fn skips(&self, counter: Counter) -> bool;
 
     /// Prints the sentence under `--pixel`, for the first path only; `sentence` is not called
     /// otherwise.
@@ -27,6 +39,14 @@ impl Probe for Unwatched {
 
     #[inline(always)]
     fn count(&self, _: Counter, _: u64) {}
+
+    #[inline(always)]
+    fn skip<T>(&self, _: Counter, _: impl FnOnce() -> T) {}
+
+    #[inline(always)]
+    fn skips(&self, _: Counter) -> bool {
+        true
+    }
 
     #[inline(always)]
     fn tell(&self, _: impl FnOnce() -> String) {}
@@ -66,11 +86,26 @@ pub enum Counter {
     /// Shadow rays not traced, because a mirror or glass sends none of a lamp's light to the eye
     /// from a direction that was not drawn from itself.
     ShadowRaysDelta,
+    /// Shadow rays that stopped at the first hit they met, although there was more to search.
+    AnyHitExits,
+    /// Points of surfaces, with their normals, that no search computed: those of every hit but the
+    /// one that it returns.
+    SurfacePoints,
+    /// Texture coordinates that were not computed, because the surface wears no picture.
+    TextureCoordinates,
+    /// Pictures that the scene file names, and that were not loaded, because no surface wears them
+    /// or the stage knows no textures.
+    TexturesNotLoaded,
+    /// Trees that were not built, because there are so few primitives.
+    TreesNotBuilt,
+    /// Boundaries crossed straight on, because the index of refraction is the same on both sides:
+    /// nothing was split in two by Fresnel's and Snell's equations.
+    FresnelSplits,
 }
 
 impl Counter {
     /// Every counter, in the order of the statistics file.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 20] = [
         Self::CameraRays,
         Self::ShadowRays,
         Self::ReflectionRays,
@@ -85,6 +120,12 @@ impl Counter {
         Self::PathsEndedByDepth,
         Self::PathsEndedByBlack,
         Self::ShadowRaysDelta,
+        Self::AnyHitExits,
+        Self::SurfacePoints,
+        Self::TextureCoordinates,
+        Self::TexturesNotLoaded,
+        Self::TreesNotBuilt,
+        Self::FresnelSplits,
     ];
 
     /// The group and the key under which the statistics file shows the count.
@@ -105,6 +146,12 @@ impl Counter {
             Self::PathsEndedByDepth => ("skipped", "paths_ended_by_depth"),
             Self::PathsEndedByBlack => ("skipped", "paths_ended_by_black"),
             Self::ShadowRaysDelta => ("skipped", "shadow_rays_delta"),
+            Self::AnyHitExits => ("skipped", "any_hit_exits"),
+            Self::SurfacePoints => ("skipped", "surface_points"),
+            Self::TextureCoordinates => ("skipped", "texture_coordinates"),
+            Self::TexturesNotLoaded => ("skipped", "textures_not_loaded"),
+            Self::TreesNotBuilt => ("skipped", "trees_not_built"),
+            Self::FresnelSplits => ("skipped", "fresnel_splits"),
         }
     }
 }
@@ -121,6 +168,8 @@ struct Shard([AtomicU64; Counter::ALL.len()]);
 #[derive(Debug)]
 pub struct Recorder {
     shards: Vec<Shard>,
+    /// What is done although it could be skipped, by counter.
+    unskipped: [bool; Counter::ALL.len()],
     telling: AtomicBool,
     to_stderr: bool,
 }
@@ -130,7 +179,15 @@ impl Recorder {
     #[must_use]
     pub fn new() -> Self {
         let shards = (0..SHARDS).map(|_| Shard::default()).collect();
-        Self { shards, telling: AtomicBool::new(false), to_stderr: false }
+        let unskipped = [false; Counter::ALL.len()];
+        Self { shards, unskipped, telling: AtomicBool::new(false), to_stderr: false }
+    }
+
+    /// The same, but work of these kinds is done although it could be skipped.
+    #[must_use]
+    pub fn without_skipping(mut self, counters: &[Counter]) -> Self {
+        counters.iter().for_each(|&counter| self.unskipped[counter as usize] = true);
+        self
     }
 
     /// The same, but the story goes to standard error: standard output belongs to the statistics.
@@ -166,6 +223,19 @@ impl Probe for Recorder {
         self.shards[shard].0[counter as usize].fetch_add(by, Ordering::Relaxed);
     }
 
+    fn skip<T>(&self, counter: Counter, work: impl FnOnce() -> T) {
+        if self.skips(counter) {
+            self.count(counter, 1);
+        } else {
+            // Nobody reads the result, and without the box the compiler would drop the work.
+            black_box(work());
+        }
+    }
+
+    fn skips(&self, counter: Counter) -> bool {
+        !self.unskipped[counter as usize]
+    }
+
     fn tell(&self, sentence: impl FnOnce() -> String) {
         if self.telling.load(Ordering::Relaxed) {
             // A render cannot fail. If the line cannot be written, the last one cannot either, and
@@ -195,6 +265,29 @@ mod tests {
             let same = Counter::ALL.iter().filter(|other| other.name() == counter.name()).count();
             assert_eq!(same, 1, "counters called {:?}", counter.name());
         }
+    }
+
+    /// The skip is counted or its work is done, never both, and each kind for itself.
+    #[test]
+    fn work_is_skipped_and_counted_or_else_done() {
+        let kinds = [Counter::FresnelSplits, Counter::AnyHitExits];
+        let results = |recorder: &Recorder| {
+            kinds.map(|kind| {
+                let mut done = 0;
+                recorder.skip(kind, || done += 1);
+                (recorder.skips(kind), recorder.get(kind), done)
+            })
+        };
+        let skipped = (true, 1, 0);
+        assert_eq!(results(&Recorder::new()), [skipped; 2], "what is skipped, counted, done");
+        let recorder = Recorder::new().without_skipping(&kinds[1..]);
+        assert_eq!(results(&recorder), [skipped, (false, 0, 1)], "without skipping the second");
+    }
+
+    #[test]
+    fn an_unwatched_render_skips_everything_and_calls_nothing() {
+        assert!(Counter::ALL.into_iter().all(|counter| Unwatched.skips(counter)), "all skipped");
+        Unwatched.skip(Counter::FresnelSplits, || panic!("the work was done"));
     }
 
     #[test]

@@ -80,10 +80,12 @@ impl<E: Args> Run<E> {
     }
 
     fn new(stage: &'static Stage, options: Options<E>) -> Self {
+        let unskipped = options.no_skip.as_ref().map_or(&[][..], |no_skip| &no_skip.0);
+        let recorder = || Recorder::new().without_skipping(unskipped);
         let recorder = match (&options.stats, options.pixel) {
-            (None, None) => None,
-            (Some(StatsTarget::StandardOutput), _) => Some(Recorder::new().telling_stderr()),
-            _ => Some(Recorder::new()),
+            (None, None) if unskipped.is_empty() => None,
+            (Some(StatsTarget::StandardOutput), _) => Some(recorder().telling_stderr()),
+            _ => Some(recorder()),
         };
         Self {
             options,
@@ -102,7 +104,7 @@ impl<E: Args> Run<E> {
         self.options.depth.or(self.stage.depth)
     }
 
-    /// The recorder, if `--stats` or `--pixel` asks for one; without it, render with
+    /// The recorder, if `--stats`, `--pixel` or `--no-skip` asks for one; without it, render with
     /// [`Unwatched`](crate::Unwatched).
     #[must_use]
     pub fn recorder(&self) -> Option<&Recorder> {

@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use crate::{Error, TextureRecord, picture_file, srgb};
+use crate::{Counter, Error, Probe, TextureRecord, picture_file, srgb};
 
 /// The most texels of a texture: 192 MiB at three bytes each.
 pub(crate) const LARGEST_TEXTURE: u64 = 1 << 26;
 
-/// A decoded texture, three bytes a texel.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// A decoded texture, three bytes a texel; the default has none.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Texture {
     /// Width in texels.
     pub width: u32,
@@ -23,6 +23,19 @@ impl Texture {
     pub fn load(record: &TextureRecord) -> Result<Self, Error> {
         let ([width, height], bytes) = picture_file::load_png_bytes(&record.path)?;
         Ok(Self { width, height, texels: bytes.as_chunks::<3>().0.to_vec() })
+    }
+
+    /// Likewise, if the picture is needed; else a texture without texels, and `probe` counts it.
+    pub fn load_if<P: Probe>(
+        is_needed: bool,
+        record: &TextureRecord,
+        probe: &P,
+    ) -> Result<Self, Error> {
+        if is_needed || !probe.skips(Counter::TexturesNotLoaded) {
+            return Self::load(record);
+        }
+        probe.count(Counter::TexturesNotLoaded, 1);
+        Ok(Self::default())
     }
 
     /// Linear RGB of the texel in column `x` and row `y`, counted from the top left corner.

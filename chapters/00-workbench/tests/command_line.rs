@@ -95,7 +95,9 @@ fn statistics_go_to_a_file_or_to_standard_output() {
         "tests": {"volume": 0, "primitive": 0},
         "skipped": {"shadow_rays_facing_away": 0, "shadow_rays_nothing_to_reflect": 0,
                     "branches_below_threshold": 0, "paths_ended_by_roulette": 0,
-                    "paths_ended_by_depth": 0, "paths_ended_by_black": 0, "shadow_rays_delta": 0},
+                    "paths_ended_by_depth": 0, "paths_ended_by_black": 0, "shadow_rays_delta": 0,
+                    "any_hit_exits": 0, "surface_points": 0, "texture_coordinates": 0,
+                    "textures_not_loaded": 0, "trees_not_built": 0, "fresnel_splits": 0},
         "non_finite_samples": 0, "estimated_error": null
     });
     assert_eq!(file, expected, "the statistics");
