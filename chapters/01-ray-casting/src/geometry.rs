@@ -2,6 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::exact_point::ExactPoint;
 use crate::hit::Hit;
 use crate::ray::Ray;
 use crate::sphere::Sphere;
@@ -35,7 +36,9 @@ impl Geometry {
     #[inline]
     #[must_use]
     pub fn corners(&self, triangle: u32) -> [Vec3; 3] {
-        self.triangles[triangle as usize].map(|vertex| self.vertices[vertex as usize])
+        let vertex = |index: u32| self.vertices[index as usize];
+        let [a, b, c] = self.triangles[triangle as usize];
+        [vertex(a), vertex(b), vertex(c)]
     }
 
     /// The sphere with this primitive index, if it is one.
@@ -52,6 +55,16 @@ impl Geometry {
         match self.sphere(primitive) {
             None => triangle::intersect(ray, &self.corners(primitive), primitive),
             Some(sphere) => intersect_sphere(sphere, &ray.ray, primitive),
+        }
+    }
+
+    /// Where `ray` has been found to hit.
+    #[inline]
+    #[must_use]
+    pub fn point(&self, ray: &Ray, hit: &Hit) -> ExactPoint {
+        match self.sphere(hit.primitive) {
+            None => ExactPoint::of_triangle(self.corners(hit.primitive), hit.barycentric),
+            Some(sphere) => ExactPoint::of_sphere(sphere, ray, hit.t),
         }
     }
 }

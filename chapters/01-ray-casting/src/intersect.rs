@@ -37,6 +37,11 @@ impl<'a, P: Probe> LinearSearch<'a, P> {
     pub const fn new(geometry: &'a Geometry, probe: &'a P) -> Self {
         Self { geometry, probe }
     }
+
+    /// Nobody asks where this hit is, and how the surface lies there.
+    fn skip_point(&self, ray: &Ray, hit: &Hit) {
+        self.probe.skip(Counter::SurfacePoints, || self.geometry.point(ray, hit));
+    }
 }
 
 // ANCHOR: linear-search
@@ -48,7 +53,9 @@ impl<P: Probe> Intersect for LinearSearch<'_, P> {
             if let Some(hit) = self.geometry.intersect_primitive(&prepared, primitive) {
                 // Of equally near hits the first one stays.
                 prepared.shorten_below(hit.t);
-                nearest = Some(hit);
+                if let Some(farther) = nearest.replace(hit) {
+                    self.skip_point(ray, &farther);
+                }
             }
         }
         self.probe.count(Counter::PrimitiveTests, u64::from(self.geometry.primitives()));
@@ -56,11 +63,19 @@ impl<P: Probe> Intersect for LinearSearch<'_, P> {
     }
 
     fn occluded(&self, ray: &Ray) -> bool {
+        if !self.probe.skips(Counter::AnyHitExits) {
+            return self.intersect(ray).is_some();
+        }
         let prepared = ShearedRay::new(ray);
-        let first = (0..self.geometry.primitives())
-            .find(|&primitive| self.geometry.intersect_primitive(&prepared, primitive).is_some());
-        let tests = first.map_or(self.geometry.primitives(), |primitive| primitive + 1);
+        let all = self.geometry.primitives();
+        let first =
+            (0..all).find_map(|primitive| self.geometry.intersect_primitive(&prepared, primitive));
+        let tests = first.map_or(all, |hit| hit.primitive + 1);
         self.probe.count(Counter::PrimitiveTests, u64::from(tests));
+        self.probe.count(Counter::AnyHitExits, u64::from(tests < all));
+        if let Some(hit) = &first {
+            self.skip_point(ray, hit);
+        }
         first.is_some()
     }
 }

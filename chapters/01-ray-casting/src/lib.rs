@@ -13,6 +13,7 @@ pub mod triangle;
 
 mod attributes;
 mod camera;
+mod exact_point;
 mod geometry;
 mod hit;
 mod intersect;
@@ -27,6 +28,7 @@ mod stage;
 
 pub use attributes::Attributes;
 pub use camera::Camera;
+pub use exact_point::ExactPoint;
 pub use geometry::{Geometry, intersect_sphere};
 pub use hit::Hit;
 pub use intersect::{Intersect, LinearSearch};

@@ -18,6 +18,7 @@ fn main() -> ExitCode {
 fn render<P: Probe>(run: &Run<Extra>, probe: &P) -> Result<Finished, Error> {
     let scene = run.load(Scene::load)?;
     simplifications(&scene).into_iter().for_each(|sentence| run.note(sentence));
+    run.load(|_| scene.pass_over_textures(probe))?;
     let geometry = run.build(|| LinearSearch::new(&scene.geometry, probe));
     let caster = RayCaster::new(&scene, &geometry, probe, run.options.stage.show);
     let film = run.render(scene.exposure, probe, |film_point, _| {

@@ -2,11 +2,14 @@
 
 use std::path::Path;
 
-use glam::{DVec3, Vec2, Vec3};
-use workbench::{Exposure, MaterialRecord, SceneError, SceneFile, TextureRecord};
+use glam::{Vec2, Vec3};
+use workbench::{
+    Error, Exposure, MaterialRecord, Probe, SceneError, SceneFile, Texture, TextureRecord,
+};
 
 use crate::attributes::Attributes;
 use crate::camera::Camera;
+use crate::exact_point::ExactPoint;
 use crate::geometry::Geometry;
 use crate::hit::Hit;
 use crate::light::PointLight;
@@ -14,7 +17,6 @@ use crate::math;
 use crate::ray::Ray;
 use crate::rgb::Rgb;
 use crate::scene_builder::SceneBuilder;
-use crate::sphere::Sphere;
 use crate::surface_point::{SurfacePoint, rounding_box};
 
 /// Everything a scene file describes, in the form in which rays want it.
@@ -57,6 +59,23 @@ impl Scene {
         self.lights.iter().filter(|light| light.lamp.is_empty())
     }
 
+    /// The materials that something is made of.
+    pub fn used_materials(&self) -> impl Iterator<Item = &MaterialRecord> {
+        let mut used = vec![false; self.materials.len()];
+        self.attributes.materials.iter().for_each(|&i| used[i as usize] = true);
+        self.materials.iter().zip(used).filter(|(_, used)| *used).map(|(material, _)| material)
+    }
+
+    /// Passes over the pictures that the scene names, for a stage that knows no textures.
+    ///
+    /// # Errors
+    /// None, unless `--no-skip` wants the pictures loaded: then what is wrong with one of them.
+    pub fn pass_over_textures<P: Probe>(&self, probe: &P) -> Result<(), Error> {
+        self.textures
+            .iter()
+            .try_for_each(|record| Texture::load_if(false, record, probe).map(|_| ()))
+    }
+
     /// Everything that all kinds of shading need to know about a hit.
     ///
     /// Position and normal are computed in double precision, once per nearest hit: the position is
@@ -64,10 +83,7 @@ impl Scene {
     #[inline]
     #[must_use]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> SurfacePoint {
-        let (position, extent, normal) = match self.geometry.sphere(hit.primitive) {
-            None => triangle_point(self.geometry.corners(hit.primitive), hit.barycentric),
-            Some(sphere) => sphere_point(sphere, ray, hit.t),
-        };
+        let ExactPoint { position, extent, normal } = self.geometry.point(ray, hit);
         let position = position.as_vec3();
         SurfacePoint {
             position,
@@ -113,27 +129,6 @@ impl Scene {
             None => longitude_latitude(surface.geometric_normal),
         }
     }
-}
-
-/// A point of a triangle, the size of the numbers that went into it, and the unit normal.
-fn triangle_point(corners: [Vec3; 3], barycentric: Vec2) -> (DVec3, DVec3, DVec3) {
-    let [v0, v1, v2] = corners.map(|v| v.as_dvec3());
-    let (e1, e2) = (v1 - v0, v2 - v0);
-    let b = barycentric.as_dvec2();
-    let position = v0 + b.x * e1 + b.y * e2;
-    let extent = v0.abs() + e1.abs() + e2.abs();
-    (position, extent, e1.cross(e2).normalize())
-}
-
-/// A point of a sphere, the size of the numbers that went into it, and the unit normal.
-///
-/// **o** + t **d** is wrong by the rounding of t, far more than by its own: it is pulled back onto
-/// the sphere, \[PBR4] §6.8.5.
-fn sphere_point(sphere: &Sphere, ray: &Ray, t: f32) -> (DVec3, DVec3, DVec3) {
-    let (center, radius) = (sphere.center.as_dvec3(), f64::from(sphere.radius));
-    let reached = ray.origin.as_dvec3() + f64::from(t) * ray.direction.as_dvec3();
-    let normal = (reached - center).normalize();
-    (center + radius * normal, center.abs() + DVec3::splat(radius), normal)
 }
 
 /// Texture coordinates of the point of a sphere whose unit normal is `normal`.

@@ -134,7 +134,9 @@ pub fn decide(
     vertices: impl FnOnce() -> [Vec3; 3],
     primitive: u32,
 ) -> Option<Hit> {
-    let [a, b, c] = sheared.map(|p| p.map(f64::from));
+    // Without `map`, which the compiler may make a call.
+    let double = |[x, y, z]: [f32; 3]| [f64::from(x), f64::from(y), f64::from(z)];
+    let [a, b, c] = [double(sheared[0]), double(sheared[1]), double(sheared[2])];
     let u = c[0] * b[1] - c[1] * b[0];
     let v = a[0] * c[1] - a[1] * c[0];
     let w = b[0] * a[1] - b[1] * a[0];

@@ -18,7 +18,7 @@ fn main() -> ExitCode {
 fn render<P: Probe>(run: &Run<Extra>, probe: &P) -> Result<Finished, Error> {
     let scene = run.load(Scene::load)?;
     simplifications(&scene).into_iter().for_each(|sentence| run.note(sentence));
-    let pictures = Picture::load_all(&scene)?;
+    let pictures = run.load(|_| Picture::load_worn(&scene, probe))?;
     let geometry = run.build(|| LinearSearch::new(&scene.geometry, probe));
     let shader = Shader::new(&scene, &pictures, &geometry, probe, run.options.stage.terms);
     let film = run.render(scene.exposure, probe, |film_point, _| {

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 use ray_casting::{Rgb, Scene};
-use workbench::{Error, Texture};
+use workbench::{Error, Probe, SurfaceKind, Texture};
 
 /// A picture that repeats in both directions.
 pub struct Picture(Texture);
@@ -14,6 +14,21 @@ impl Picture {
     /// A file that cannot be read or decoded.
     pub fn load_all(scene: &Scene) -> Result<Vec<Self>, Error> {
         scene.textures.iter().map(|record| Ok(Self(Texture::load(record)?))).collect()
+    }
+
+    /// Loads those textures that a surface of the scene wears; the others are left without texels,
+    /// and `probe` counts them.
+    ///
+    /// # Errors
+    /// A file that cannot be read or decoded.
+    pub fn load_worn<P: Probe>(scene: &Scene, probe: &P) -> Result<Vec<Self>, Error> {
+        let matte = scene.used_materials().filter(|m| m.surface == SurfaceKind::Diffuse);
+        let worn: Vec<u32> = matte.filter_map(|material| material.map_kd).collect();
+        let load = |(index, record)| {
+            let is_worn = worn.contains(&index);
+            Ok(Self(Texture::load_if(is_worn, record, probe)?))
+        };
+        (0..).zip(&scene.textures).map(load).collect()
     }
 
     // ANCHOR: sample

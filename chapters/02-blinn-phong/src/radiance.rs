@@ -64,6 +64,10 @@ impl<'a, G: Intersect, P: Probe> Shader<'a, G, P> {
         let surface = self.scene.surface(&ray, &hit);
         self.probe.tell(|| format!("hits {hit:?} at {}", surface.position));
 
+        if self.materials[surface.material as usize].map_kd.is_none() {
+            let coordinates = || self.scene.texture_coordinates(&surface);
+            self.probe.skip(Counter::TextureCoordinates, coordinates);
+        }
         let lights = self.scene.lights.iter();
         let reflected = lights.fold(Rgb::ZERO, |sum, light| sum + self.reflected(&surface, light));
         if matches!(self.terms, Terms::All | Terms::Ambient) {
@@ -76,15 +80,16 @@ impl<'a, G: Intersect, P: Probe> Shader<'a, G, P> {
     /// V (I_d + I_s) of one light. No shadow ray is cast where nothing could be reflected.
     fn reflected(&self, surface: &SurfacePoint, light: &PointLight) -> Rgb {
         let material = &self.materials[surface.material as usize];
+        let is_visible = || self.is_visible(surface, light);
         if material.is_black() || self.terms == Terms::Ambient {
-            self.probe.count(Counter::ShadowRaysNothingToReflect, 1);
+            self.probe.skip(Counter::ShadowRaysNothingToReflect, is_visible);
             return Rgb::ZERO;
         }
         let arriving = Arriving::new(light, surface.position);
         // Light from behind the surface does not reach it, whatever interpolated normals say.
         let faces_away = surface.facing_normal().dot(arriving.direction) <= 0.0;
         if faces_away || arriving.strength == Rgb::ZERO {
-            self.probe.count(Counter::ShadowRaysFacingAway, 1);
+            self.probe.skip(Counter::ShadowRaysFacingAway, is_visible);
             self.probe.tell(|| format!("no light comes to this side from {}", light.position));
             return Rgb::ZERO;
         }
@@ -100,14 +105,19 @@ impl<'a, G: Intersect, P: Probe> Shader<'a, G, P> {
             reflected += specular(material.ks, material.ns, &arriving, normal, surface.wo);
         }
         if reflected == Rgb::ZERO {
-            self.probe.count(Counter::ShadowRaysNothingToReflect, 1);
+            self.probe.skip(Counter::ShadowRaysNothingToReflect, is_visible);
             return Rgb::ZERO;
         }
 
-        self.probe.count(Counter::ShadowRays, 1);
-        let visible = light.is_visible_from(surface, self.geometry);
+        let visible = is_visible();
         self.probe.tell(|| format!("light at {}: {reflected}, visible: {visible}", light.position));
         if visible { reflected } else { Rgb::ZERO }
+    }
+
+    /// V, by a shadow ray.
+    fn is_visible(&self, surface: &SurfacePoint, light: &PointLight) -> bool {
+        self.probe.count(Counter::ShadowRays, 1);
+        light.is_visible_from(surface, self.geometry)
     }
     // ANCHOR_END: incident_radiance
 }

@@ -19,7 +19,7 @@ fn main() -> ExitCode {
 fn render<P: Probe>(run: &Run<Cutoff>, probe: &P) -> Result<Finished, Error> {
     let scene = run.load(Scene::load)?;
     simplifications(&scene).into_iter().for_each(|sentence| run.note(sentence));
-    let pictures = Picture::load_all(&scene)?;
+    let pictures = run.load(|_| Picture::load_worn(&scene, probe))?;
     let geometry = run.build(|| LinearSearch::new(&scene.geometry, probe));
     let limits = Limits::new(run.depth(), run.options.stage.cutoff);
     let tracer = run.build(|| RayTracer::new(&scene, &pictures, &geometry, probe, limits));

@@ -80,6 +80,10 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
 
             match self.boundaries.material(&surface) {
                 Surface::Diffuse(material) => {
+                    if material.map_kd.is_none() {
+                        let coordinates = || self.scene.texture_coordinates(&surface);
+                        self.probe.skip(Counter::TextureCoordinates, coordinates);
+                    }
                     let lights = self.scene.lights.iter();
                     let reflected =
                         lights.map(|light| self.reflected(&surface, material, light)).sum::<Rgb>();
@@ -92,7 +96,9 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
                 }
                 Surface::Glass { .. } => {
                     let crossing = self.boundaries.crossing(&ray, &surface, &path.media);
+                    let split = || split(self.scene, &surface, crossing.eta);
                     if crossing.eta == 1.0 {
+                        self.probe.skip(Counter::FresnelSplits, split);
                         self.probe.tell(|| "passes straight through".to_owned());
                         passed *= crossing.kt;
                         path = Path { throughput: path.throughput * crossing.kt, ..path };
@@ -100,7 +106,7 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
                         ray = crossing.far.spawn(ray.direction);
                         continue;
                     }
-                    let split = split(self.scene, &surface, crossing.eta);
+                    let split = split();
                     let f = Rgb::splat(split.reflectance);
                     let reflected = crossing.near.spawn(split.reflected);
                     let mut light =
@@ -148,14 +154,15 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
     /// Glass throws the shadow of an opaque body: light does find ways through it, but a straight
     /// ray to the light is none of them.
     fn reflected(&self, surface: &SurfacePoint, material: &Material, light: &PointLight) -> Rgb {
+        let is_visible = || self.is_visible(surface, light);
         if material.is_black() {
-            self.probe.count(Counter::ShadowRaysNothingToReflect, 1);
+            self.probe.skip(Counter::ShadowRaysNothingToReflect, is_visible);
             return Rgb::ZERO;
         }
         let arriving = Arriving::new(light, surface.position);
         let faces_away = surface.facing_normal().dot(arriving.direction) <= 0.0;
         if faces_away || arriving.strength == Rgb::ZERO {
-            self.probe.count(Counter::ShadowRaysFacingAway, 1);
+            self.probe.skip(Counter::ShadowRaysFacingAway, is_visible);
             self.probe.tell(|| format!("no light comes to this side from {}", light.position));
             return Rgb::ZERO;
         }
@@ -166,14 +173,19 @@ impl<'a, G: Intersect, P: Probe> RayTracer<'a, G, P> {
         let reflected = diffuse(kd, &arriving, normal)
             + specular(material.ks, material.ns, &arriving, normal, surface.wo);
         if reflected == Rgb::ZERO {
-            self.probe.count(Counter::ShadowRaysNothingToReflect, 1);
+            self.probe.skip(Counter::ShadowRaysNothingToReflect, is_visible);
             return Rgb::ZERO;
         }
 
-        self.probe.count(Counter::ShadowRays, 1);
-        let visible = light.is_visible_from(surface, self.geometry);
+        let visible = is_visible();
         self.probe.tell(|| format!("light at {}: {reflected}, visible: {visible}", light.position));
         if visible { reflected } else { Rgb::ZERO }
+    }
+
+    /// V, by a shadow ray.
+    fn is_visible(&self, surface: &SurfacePoint, light: &PointLight) -> bool {
+        self.probe.count(Counter::ShadowRays, 1);
+        light.is_visible_from(surface, self.geometry)
     }
     // ANCHOR_END: reflected
 }

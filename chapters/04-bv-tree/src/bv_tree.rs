@@ -3,7 +3,9 @@
 use std::hint::black_box;
 
 use glam::Vec3;
-use ray_casting::{Geometry, Hit, Intersect, Ray, ShearedRay, Sphere, intersect_sphere, triangle};
+use ray_casting::{
+    ExactPoint, Geometry, Hit, Intersect, Ray, ShearedRay, Sphere, intersect_sphere, triangle,
+};
 use workbench::{Counter, Probe};
 
 use crate::aabb::Aabb;
@@ -134,6 +136,9 @@ impl<V: BoundingVolume, P: Probe> Intersect for BvTree<'_, V, P> {
 
     /// As above, but any hit will do: the first one ends the search.
     fn occluded(&self, ray: &Ray) -> bool {
+        if !self.probe.skips(Counter::AnyHitExits) {
+            return self.intersect(ray).is_some();
+        }
         let query = V::query(ray, self.bounds.reach(ray.origin));
         let ray = ShearedRay::new(ray);
         let mut tests = Tests::default();
@@ -145,6 +150,7 @@ impl<V: BoundingVolume, P: Probe> Intersect for BvTree<'_, V, P> {
                 next = self.descend(link, &query, ray.ray.extent.max, &mut stack, &mut tests);
             } else if self.is_leaf_hit(link, &ray, &mut tests) {
                 is_hit = true;
+                self.probe.count(Counter::AnyHitExits, u64::from(!stack.is_empty()));
                 break;
             } else {
                 next = stack.pop(ray.ray.extent.max);
@@ -231,6 +237,8 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
                 let vertices = || four.corners(i);
                 let hit = triangle::decide(ray, sheared.corners(i), vertices, four.names[i]);
                 if let Some(hit) = hit {
+                    let point = || ExactPoint::of_triangle(vertices(), hit.barycentric);
+                    self.skip_point_beside(nearest, point);
                     consider(hit, ray, nearest);
                 }
             }
@@ -245,8 +253,19 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
         let range = leaf.range();
         for (sphere, &name) in self.spheres[range.clone()].iter().zip(&self.sphere_names[range]) {
             if let Some(hit) = intersect_sphere(sphere, &ray.ray, name) {
+                let point = || ExactPoint::of_sphere(sphere, &ray.ray, hit.t);
+                self.skip_point_beside(nearest, point);
                 consider(hit, ray, nearest);
             }
+        }
+    }
+
+    /// Of two hits, the point of one is not needed. Which one will be known later: the work is that
+    /// of the hit that has just been found, when there is another one already.
+    #[inline(always)]
+    fn skip_point_beside(&self, other: &Option<Hit>, point: impl FnOnce() -> ExactPoint) {
+        if other.is_some() {
+            self.probe.skip(Counter::SurfacePoints, point);
         }
     }
 
@@ -260,7 +279,9 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
             let mut possible = sheared.possible(leaf.primitives());
             while let Some(i) = pop_bit(&mut possible) {
                 let vertices = || four.corners(i);
-                if triangle::decide(ray, sheared.corners(i), vertices, 0).is_some() {
+                if let Some(hit) = triangle::decide(ray, sheared.corners(i), vertices, 0) {
+                    let point = || ExactPoint::of_triangle(vertices(), hit.barycentric);
+                    self.probe.skip(Counter::SurfacePoints, point);
                     return true;
                 }
             }
@@ -274,7 +295,12 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
     fn is_sphere_hit(&self, leaf: Link, ray: &Ray, tests: &mut Tests) -> bool {
         self.spheres[leaf.range()].iter().any(|sphere| {
             tests.primitive += 1;
-            sphere.intersect(ray).is_some()
+            let t = sphere.intersect(ray);
+            if let Some(t) = t {
+                let point = || ExactPoint::of_sphere(sphere, ray, t);
+                self.probe.skip(Counter::SurfacePoints, point);
+            }
+            t.is_some()
         })
     }
 }

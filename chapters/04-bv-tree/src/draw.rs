@@ -5,7 +5,7 @@ use bv_tree::{Aabb, Builder, BvTree, KDop, Obb, TINY};
 use clap::ValueEnum;
 use mirror_refraction::{Cutoff, Limits, RayTracer, simplifications};
 use ray_casting::{Intersect, LinearSearch, Scene};
-use workbench::{Error, Finished, Probe, Run};
+use workbench::{Counter, Error, Finished, Probe, Run};
 
 /// What this stage adds to the command line.
 #[derive(clap::Args)]
@@ -39,12 +39,13 @@ enum Volume {
 pub(crate) fn draw<P: Probe>(run: &Run<Extra>, probe: &P) -> Result<Finished, Error> {
     let scene = run.load(Scene::load)?;
     let (geometry, builder) = (&scene.geometry, run.options.stage.builder);
-    let volume = if geometry.primitives() < TINY {
+    let mut volume = run.options.stage.volume;
+    let is_tiny = geometry.primitives() < TINY && volume != Volume::None;
+    if is_tiny && probe.skips(Counter::TreesNotBuilt) {
+        probe.count(Counter::TreesNotBuilt, 1);
         run.note(format!("no tree for {} primitives", geometry.primitives()));
-        Volume::None
-    } else {
-        run.options.stage.volume
-    };
+        volume = Volume::None;
+    }
     match volume {
         Volume::None => trace(run, &scene, probe, || LinearSearch::new(geometry, probe)),
         Volume::Aabb => {
@@ -76,7 +77,7 @@ fn trace<P: Probe, G: Intersect>(
     build: impl FnOnce() -> G,
 ) -> Result<Finished, Error> {
     simplifications(scene).into_iter().for_each(|sentence| run.note(sentence));
-    let pictures = Picture::load_all(scene)?;
+    let pictures = run.load(|_| Picture::load_worn(scene, probe))?;
     let geometry = run.build(build);
     let limits = Limits::new(run.depth(), run.options.stage.cutoff.cutoff);
     let tracer = RayTracer::new(scene, &pictures, &geometry, probe, limits);

@@ -85,10 +85,13 @@ impl ShearedFour {
         !out & ((1 << n) - 1)
     }
 
-    /// The sheared corners of triangle `i`.
+    /// The sheared corners of triangle `i`. Written out, since the compiler may make calls of a `map`
+    /// within a `map`, and there are some for every ray.
     #[inline(always)]
     pub(crate) fn corners(&self, i: usize) -> [[f32; 3]; 3] {
-        self.corners.map(|corner| corner.map(|x| x[i]))
+        let corner = |[x, y, z]: &[Four; 3]| [x[i], y[i], z[i]];
+        let [a, b, c] = &self.corners;
+        [corner(a), corner(b), corner(c)]
     }
 }
 

@@ -34,6 +34,12 @@ impl Stack {
         Self { some: [Self::NOTHING; Self::SOME], more: None, len: 0 }
     }
 
+    /// Whether no node waits.
+    #[inline(always)]
+    pub(crate) const fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
     /// Puts a node on top.
     #[inline(always)]
     pub(crate) fn push(&mut self, waiting: Waiting) {
