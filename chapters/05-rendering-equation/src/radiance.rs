@@ -1,10 +1,13 @@
 //! The rendering equation, solved by looking in N random directions from every hit.
 
+use std::hint::black_box;
+
 use blinn_phong::Picture;
 use mirror_refraction::{Boundaries, Media, mirror_direction, split};
-use ray_casting::{Intersect, Ray, Rgb, Scene};
+use ray_casting::{Intersect, Ray, Rgb, Scene, SurfacePoint};
 use workbench::{Counter, Probe, Sampler};
 
+use crate::brdf::Brdf;
 use crate::directions::Density;
 use crate::material::{Material, Materials};
 use crate::survey::Has;
@@ -87,6 +90,8 @@ impl<'a, G: Intersect, P: Probe, H: Has> DistributedTracer<'a, G, P, H> {
                 _ => None,
             };
             if let Some(crossing) = crossing.filter(|crossing| crossing.eta == 1.0) {
+                let split = || split(self.scene, &surface, crossing.eta);
+                self.probe.skip(Counter::FresnelSplits, split);
                 passed *= crossing.kt;
                 media = crossing.beyond;
                 ray = crossing.far.spawn(ray.direction);
@@ -100,11 +105,18 @@ impl<'a, G: Intersect, P: Probe, H: Has> DistributedTracer<'a, G, P, H> {
 
             match material {
                 Material::Matte { kd, map_kd, lobe } => {
+                    if map_kd.is_none() {
+                        let coordinates = || self.scene.texture_coordinates(&surface);
+                        self.probe.skip(Counter::TextureCoordinates, coordinates);
+                    }
                     let brdf = self.materials.brdf(&surface, kd, map_kd, lobe);
+                    let n = self.branching.directions;
                     if brdf.is_black() {
+                        let all =
+                            || (0..n).for_each(|_| self.look(&surface, &brdf, sampler.clone()));
+                        self.probe.skip(Counter::PathsEndedByBlack, all);
                         return radiance;
                     }
-                    let n = self.branching.directions;
                     let mut reflected = Rgb::ZERO;
                     for _ in 0..n {
                         let density = self.branching.density;
@@ -149,6 +161,13 @@ impl<'a, G: Intersect, P: Probe, H: Has> DistributedTracer<'a, G, P, H> {
         radiance
     }
     // ANCHOR_END: incident_radiance
+
+    /// Looks in a random direction for nothing: what `--no-skip` wants of a surface that is black.
+    fn look(&self, surface: &SurfacePoint, brdf: &Brdf, mut sampler: Sampler) {
+        let Some(scattered) = brdf.sample(self.branching.density, &mut sampler) else { return };
+        self.probe.count(Counter::ScatterRays, 1);
+        black_box(self.geometry.intersect(&surface.spawn(scattered.wi)));
+    }
 
     /// Counts a ray, and tells of it under `--pixel`.
     fn tell(&self, kind: Counter, events: u32, ray: &Ray, weight: Rgb) {

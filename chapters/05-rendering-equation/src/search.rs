@@ -4,7 +4,7 @@ use blinn_phong::Picture;
 use bv_tree::{Aabb, Builder, BvTree, TINY};
 use clap::Args;
 use ray_casting::{Intersect, LinearSearch, Scene};
-use workbench::{Error, Film, Finished, Probe, Run, Unwatched};
+use workbench::{Counter, Error, Film, Finished, Probe, Run, Unwatched};
 
 use crate::survey::{Anything, Code, Has, MatteOnly, Opaque, Survey};
 
@@ -59,10 +59,11 @@ pub fn draw<E: Renderer>(run: &Run<E>) -> Result<Finished, Error> {
 fn watched<E: Renderer, P: Probe>(run: &Run<E>, probe: &P) -> Result<Finished, Error> {
     let scene = &run.load(Scene::load)?;
     E::remarks(run, scene)?.into_iter().for_each(|sentence| run.note(sentence));
-    let pictures = &Picture::load_all(scene)?;
+    let pictures = &run.load(|_| Picture::load_worn(scene, probe))?;
     let job = Job { run, scene, pictures, probe };
     let geometry = &scene.geometry;
-    let film = if geometry.primitives() < TINY {
+    let film = if geometry.primitives() < TINY && probe.skips(Counter::TreesNotBuilt) {
+        probe.count(Counter::TreesNotBuilt, 1);
         run.note(format!("no tree for {} primitives", geometry.primitives()));
         searched(&job, &LinearSearch::new(geometry, probe))?
     } else {

@@ -23,15 +23,13 @@ impl Survey {
     /// Looks at every primitive.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
-        let mut used = vec![false; scene.materials.len()];
-        scene.attributes.materials.iter().for_each(|&i| used[i as usize] = true);
-        let used = || scene.materials.iter().zip(&used).filter(|(_, used)| **used).map(|(m, _)| m);
-        let kind = |kind| used().any(|material| material.surface == kind);
+        let used: Vec<_> = scene.used_materials().collect();
+        let kind = |kind| used.iter().any(|material| material.surface == kind);
         Self {
             glass: kind(SurfaceKind::Glass),
             mirrors: kind(SurfaceKind::Mirror),
-            highlights: used().any(|material| material.ks != [0.0; 3]),
-            textures: used().any(|material| material.map_kd.is_some()),
+            highlights: used.iter().any(|material| material.ks != [0.0; 3]),
+            textures: used.iter().any(|material| material.map_kd.is_some()),
             sky: scene.background != Rgb::ZERO,
         }
     }

@@ -2,8 +2,8 @@
 
 use blinn_phong::Picture;
 use mirror_refraction::{Boundaries, Media, mirror_direction, split};
-use ray_casting::{Intersect, Ray, Rgb, Scene};
-use rendering_equation::{Density, Has, Material, Materials};
+use ray_casting::{Hit, Intersect, Ray, Rgb, Scene, SurfacePoint};
+use rendering_equation::{Brdf, Density, Has, Material, Materials};
 use workbench::{Counter, Probe, Sampler};
 
 use crate::roulette::Ending;
@@ -80,6 +80,8 @@ impl<'a, G: Intersect, P: Probe, H: Has> PathTracer<'a, G, P, H> {
                 _ => None,
             };
             if let Some(crossing) = crossing.filter(|crossing| crossing.eta == 1.0) {
+                let split = || split(self.scene, &surface, crossing.eta);
+                self.probe.skip(Counter::FresnelSplits, split);
                 throughput *= crossing.kt;
                 media = crossing.beyond;
                 ray = crossing.far.spawn(ray.direction);
@@ -93,10 +95,15 @@ impl<'a, G: Intersect, P: Probe, H: Has> PathTracer<'a, G, P, H> {
 
             let kind = match material {
                 Material::Matte { kd, map_kd, lobe } => {
+                    if map_kd.is_none() {
+                        let coordinates = || self.scene.texture_coordinates(&surface);
+                        self.probe.skip(Counter::TextureCoordinates, coordinates);
+                    }
                     let brdf = self.materials.brdf(&surface, kd, map_kd, lobe);
                     if brdf.is_black() {
                         self.probe.tell(|| "the surface reflects nothing".to_owned());
-                        self.probe.count(Counter::PathsEndedByBlack, 1);
+                        let next = || self.next_hit(&surface, &brdf, sampler.clone());
+                        self.probe.skip(Counter::PathsEndedByBlack, next);
                         break;
                     }
                     let Some(scattered) = brdf.sample(self.density, sampler) else {
@@ -155,4 +162,11 @@ impl<'a, G: Intersect, P: Probe, H: Has> PathTracer<'a, G, P, H> {
         radiance
     }
     // ANCHOR_END: incident_radiance
+
+    /// What a path would meet next if it went on where the surface is black.
+    fn next_hit(&self, surface: &SurfacePoint, brdf: &Brdf, mut sampler: Sampler) -> Option<Hit> {
+        let scattered = brdf.sample(self.density, &mut sampler)?;
+        self.probe.count(Counter::ScatterRays, 1);
+        self.geometry.intersect(&surface.spawn(scattered.wi))
+    }
 }

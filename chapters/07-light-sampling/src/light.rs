@@ -92,6 +92,17 @@ impl Light {
         }
     }
 
+    /// The ray from `surface` to the middle of the light, or straight up to the sky.
+    #[must_use]
+    pub(crate) fn ray_from(&self, surface: &SurfacePoint) -> Ray {
+        match self {
+            Self::Flat(lamp) => surface.spawn_to(lamp.middle),
+            Self::Sphere(lamp) => surface.spawn_to(lamp.sphere.center),
+            Self::Point { position, .. } => surface.spawn_to(*position),
+            Self::Sky { .. } => surface.spawn(surface.facing_normal()),
+        }
+    }
+
     /// How much it sends out in all, in W, added up over the colours. `radius` is that of a sphere
     /// around the scene: the sky sends through it what could reach something.
     #[must_use]

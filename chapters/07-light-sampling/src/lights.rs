@@ -1,7 +1,7 @@
 //! All the lights of a scene.
 
 use glam::Vec3;
-use ray_casting::{Geometry, Rgb, Scene, SurfacePoint};
+use ray_casting::{Geometry, Ray, Rgb, Scene, SurfacePoint};
 use workbench::Sampler;
 
 use crate::choice::Choice;
@@ -118,6 +118,17 @@ impl Lights {
         pmf * rendering_equation::directions::cosine_hemisphere_pdf(facing.dot(wi))
     }
     // ANCHOR_END: sample
+
+    /// A ray from `surface` to the middle of one of the lights, even if nothing can arrive from it;
+    /// `None` if there is no light. It answers nothing that a picture needs.
+    pub fn ray_toward_any(&self, surface: &SurfacePoint, sampler: &mut Sampler) -> Option<Ray> {
+        let number = match self.lights.len() {
+            0 => return None,
+            1 => 0,
+            _ => self.pick(surface.position, surface.facing_normal(), sampler.next_1d()).0,
+        };
+        Some(self.lights[number].ray_from(surface))
+    }
 
     /// The light that `u` picks for a surface at `viewer`, and the probability of that.
     #[inline]

@@ -4,7 +4,7 @@ use blinn_phong::Picture;
 use glam::Vec3;
 use mirror_refraction::{Boundaries, Media, mirror_direction, split};
 use path_tracing::Ending;
-use ray_casting::{Intersect, Ray, Rgb, Scene, SurfacePoint};
+use ray_casting::{Hit, Intersect, Ray, Rgb, Scene, SurfacePoint};
 use rendering_equation::{Brdf, Density, Has, Material, Materials};
 use workbench::{Counter, Probe, Sampler};
 
@@ -135,6 +135,8 @@ impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
                 _ => None,
             };
             if let Some(crossing) = crossing.filter(|crossing| crossing.eta == 1.0) {
+                let split = || split(self.scene, &surface, crossing.eta);
+                self.probe.skip(Counter::FresnelSplits, split);
                 throughput *= crossing.kt;
                 last = None; // no shadow ray passes glass, not even of index 1
                 media = crossing.beyond;
@@ -149,10 +151,15 @@ impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
 
             let kind = match material {
                 Material::Matte { kd, map_kd, lobe } => {
+                    if map_kd.is_none() {
+                        let coordinates = || self.scene.texture_coordinates(&surface);
+                        self.probe.skip(Counter::TextureCoordinates, coordinates);
+                    }
                     let brdf = self.materials.brdf(&surface, kd, map_kd, lobe);
                     if brdf.is_black() {
                         self.probe.tell(|| "the surface reflects nothing".to_owned());
-                        self.probe.count(Counter::PathsEndedByBlack, 1);
+                        let next = || self.go_on(&surface, &brdf, sampler.clone());
+                        self.probe.skip(Counter::PathsEndedByBlack, next);
                         break;
                     }
                     if self.settings.estimator != Estimator::Scatter {
@@ -169,7 +176,7 @@ impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
                     Counter::ScatterRays
                 }
                 Material::Mirror { kr } => {
-                    self.probe.count(Counter::ShadowRaysDelta, 1);
+                    self.skip_shadow_ray(Counter::ShadowRaysDelta, &surface, sampler);
                     throughput *= kr;
                     ray = surface.spawn(mirror_direction(self.scene, &surface));
                     last = None;
@@ -178,7 +185,7 @@ impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
                 Material::Glass => {
                     let Some(crossing) = crossing else { break };
                     last = None;
-                    self.probe.count(Counter::ShadowRaysDelta, 1);
+                    self.skip_shadow_ray(Counter::ShadowRaysDelta, &surface, sampler);
                     let split = split(self.scene, &surface, crossing.eta);
                     // Each way is taken as often as it has light, so the weight of both is 1.
                     let u = sampler.next_1d();
@@ -222,21 +229,21 @@ impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
     /// w_l f |cos θ| V Lₑ / p_l of one direction toward a light; no ray where nothing can arrive.
     fn light_from_lamps(&self, surface: &SurfacePoint, brdf: &Brdf, sampler: &mut Sampler) -> Rgb {
         let Some(light) = self.lights.sample(surface, sampler) else {
-            self.probe.count(Counter::ShadowRaysFacingAway, 1);
+            self.skip_shadow_ray(Counter::ShadowRaysFacingAway, surface, sampler);
             return Rgb::ZERO;
         };
+        let is_visible = || self.is_visible(&light.shadow_ray(surface));
         if !brdf.is_above(light.wi) {
-            self.probe.count(Counter::ShadowRaysFacingAway, 1);
+            self.probe.skip(Counter::ShadowRaysFacingAway, is_visible);
             return Rgb::ZERO;
         }
         let reflected = brdf.eval(light.wi) * (brdf.cos_theta(light.wi) / light.pdf_solid_angle);
         let reflected = reflected * light.radiance;
         if reflected == Rgb::ZERO {
-            self.probe.count(Counter::ShadowRaysNothingToReflect, 1);
+            self.probe.skip(Counter::ShadowRaysNothingToReflect, is_visible);
             return Rgb::ZERO;
         }
-        self.probe.count(Counter::ShadowRays, 1);
-        let visible = !self.geometry.occluded(&light.shadow_ray(surface));
+        let visible = is_visible();
         self.probe.tell(|| format!("light along {}: {reflected}, visible: {visible}", light.wi));
         match (visible, self.settings.estimator) {
             (false, _) => Rgb::ZERO,
@@ -246,6 +253,12 @@ impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
             }
             (true, _) => reflected,
         }
+    }
+
+    /// V, by a shadow ray.
+    fn is_visible(&self, shadow_ray: &Ray) -> bool {
+        self.probe.count(Counter::ShadowRays, 1);
+        !self.geometry.occluded(shadow_ray)
     }
 
     /// w_s of light that the path has run into. `pdf` is the density with which light sampling would
@@ -264,4 +277,31 @@ impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
         }
     }
     // ANCHOR_END: incident_radiance
+
+    /// Casts no shadow ray, since no light is there to be asked that could be reflected. Under
+    /// `--no-skip` it leads to one that is not asked.
+    fn skip_shadow_ray(&self, counter: Counter, surface: &SurfacePoint, sampler: &Sampler) {
+        if self.settings.estimator != Estimator::Scatter {
+            self.probe.skip(counter, || {
+                let ray = self.lights.ray_toward_any(surface, &mut sampler.clone())?;
+                Some(self.is_visible(&ray))
+            });
+        }
+    }
+
+    /// What a path would find if it went on where the surface is black.
+    fn go_on(
+        &self,
+        surface: &SurfacePoint,
+        brdf: &Brdf,
+        mut sampler: Sampler,
+    ) -> (Option<Rgb>, Option<Hit>) {
+        let asks = self.settings.estimator != Estimator::Scatter;
+        let light = asks.then(|| self.light_from_lamps(surface, brdf, &mut sampler));
+        let hit = brdf.sample(Density::Cosine, &mut sampler).and_then(|scattered| {
+            self.probe.count(Counter::ScatterRays, 1);
+            self.geometry.intersect(&surface.spawn(scattered.wi))
+        });
+        (light, hit)
+    }
 }
