@@ -8,6 +8,7 @@ mod command_line;
 mod interrupt;
 mod output;
 mod scenes;
+mod skips;
 mod sound;
 mod stated_error;
 mod unneeded;

@@ -15,13 +15,19 @@ const KEYS: [(&str, &[&str]); 4] = [
     (
         "skipped",
         &[
+            "any_hit_exits",
             "branches_below_threshold",
+            "fresnel_splits",
             "paths_ended_by_black",
             "paths_ended_by_depth",
             "paths_ended_by_roulette",
             "shadow_rays_delta",
             "shadow_rays_facing_away",
             "shadow_rays_nothing_to_reflect",
+            "surface_points",
+            "texture_coordinates",
+            "textures_not_loaded",
+            "trees_not_built",
         ],
     ),
 ];
