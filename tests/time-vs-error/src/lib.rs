@@ -13,6 +13,7 @@
 //! | [`report`], [`plot`], [`foreign`] | the files beside it, also with other renderers' curves |
 //! | [`pictures`] | two settings at equal time and at equal error |
 //! | [`counts`] | what each stage does and skips |
+//! | [`skips`] | what each skip is worth |
 //! | `machine`, `progress` | where it ran, and how long it will run |
 //! | [`folder`], [`error`] | whole files; what can go wrong |
 
@@ -40,6 +41,7 @@ pub mod results;
 pub mod row;
 pub mod run;
 pub mod scene;
+pub mod skips;
 pub mod stages;
 pub mod summary;
 pub mod tables;
@@ -74,8 +76,8 @@ fn write_counts(options: &Options) -> Result<()> {
     let counted = counts::count_all(&stages, COUNTED)?;
     folder::write(&folder.join("counts.md"), counts::markdown(&counted))?;
     let rounds = if options.quick { 1 } else { 5 };
-    let worths = counts::weigh_all(&stages, COUNTED, rounds)?;
-    folder::write(&folder.join("skips.md"), counts::worth_markdown(&worths))
+    let worths = skips::weigh_all(&stages, COUNTED, rounds)?;
+    folder::write(&folder.join("skips.md"), skips::worth_markdown(&worths))
 }
 
 fn draw_curves(options: &Options) -> Result<()> {
