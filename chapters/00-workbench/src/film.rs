@@ -342,6 +342,12 @@ impl Film {
         (self.total_samples() / self.pixel_count().max(1)) as u32
     }
 
+    /// By how many samples pixels hold fewer than the average, added up.
+    pub(crate) fn samples_below_average(&self) -> u64 {
+        let average = self.average_samples();
+        self.pixels().map(|(_, sum)| u64::from(average.saturating_sub(sum.taken))).sum()
+    }
+
     /// How many samples were not finite, and are left out of the picture.
     #[must_use]
     pub fn non_finite_samples(&self) -> u64 {

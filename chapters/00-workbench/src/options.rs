@@ -88,7 +88,8 @@ pub struct Options<E: Args> {
     pub stats: Option<StatsTarget>,
 
     /// Do work that the picture does not need, and throw the result away: keys under `skipped` of
-    /// --stats, with commas between, or `all`
+    /// --stats, with commas between, or `all`. (Of samples_not_needed nothing is thrown away: under
+    /// --error, all pixels get as many samples)
     #[arg(long, value_name = "WHAT")]
     pub no_skip: Option<NoSkip>,
 

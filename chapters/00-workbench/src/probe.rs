@@ -101,11 +101,14 @@ pub enum Counter {
     /// Boundaries crossed straight on, because the index of refraction is the same on both sides:
     /// nothing was split in two by Fresnel's and Snell's equations.
     FresnelSplits,
+    /// Under `--error`: samples by which pixels hold fewer than the average, because it is quiet
+    /// around them.
+    SamplesNotNeeded,
 }
 
 impl Counter {
     /// Every counter, in the order of the statistics file.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 21] = [
         Self::CameraRays,
         Self::ShadowRays,
         Self::ReflectionRays,
@@ -126,6 +129,7 @@ impl Counter {
         Self::TexturesNotLoaded,
         Self::TreesNotBuilt,
         Self::FresnelSplits,
+        Self::SamplesNotNeeded,
     ];
 
     /// The group and the key under which the statistics file shows the count.
@@ -152,6 +156,7 @@ impl Counter {
             Self::TexturesNotLoaded => ("skipped", "textures_not_loaded"),
             Self::TreesNotBuilt => ("skipped", "trees_not_built"),
             Self::FresnelSplits => ("skipped", "fresnel_splits"),
+            Self::SamplesNotNeeded => ("skipped", "samples_not_needed"),
         }
     }
 }

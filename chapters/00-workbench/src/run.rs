@@ -167,7 +167,8 @@ impl<E: Args> Run<E> {
         self.check_pixel(size)?;
 
         let Options { pixel, error, .. } = self.options;
-        let mut film = film(size, pixel, self.stage.estimates, error.is_some())?;
+        let shares = error.is_some() && self.skips(Counter::SamplesNotNeeded);
+        let mut film = film(size, pixel, self.stage.estimates, shares)?;
         interrupt::keep_the_picture();
         let (film, seconds) = timed(|| {
             self.expose(&mut film, &radiance);
@@ -175,7 +176,15 @@ impl<E: Args> Run<E> {
         });
         self.seconds.update(|all| Seconds { render: all.render + seconds, ..all });
         probe.count(Counter::CameraRays, film.total_samples());
+        if shares {
+            probe.count(Counter::SamplesNotNeeded, film.samples_below_average());
+        }
         Ok(film)
+    }
+
+    /// Whether this kind of work is skipped: it is, except under `--no-skip`.
+    fn skips(&self, counter: Counter) -> bool {
+        self.recorder.as_ref().is_none_or(|recorder| recorder.skips(counter))
     }
 
     /// Adds samples to the film until there are enough, the error is small enough, the time is over

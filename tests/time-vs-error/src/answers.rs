@@ -123,7 +123,8 @@ fn samples(n: u32) -> String {
     if n == 1 { "one sample".to_owned() } else { format!("{n} samples") }
 }
 
-fn enumerated(items: &[String]) -> String {
+/// The items in a row, with "and" before the last.
+pub(crate) fn enumerated(items: &[String]) -> String {
     match items.split_last() {
         None => String::new(),
         Some((last, [])) => last.clone(),

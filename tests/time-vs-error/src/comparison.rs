@@ -2,7 +2,7 @@
 
 use statistics::student_critical_t;
 
-use crate::curve::{Curve, Point};
+use crate::curve::{Curve, Mean, Point};
 
 /// A ratio with its interval of confidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,9 +28,14 @@ impl Ratio {
     #[must_use]
     pub fn of_times(slow: &Point, fast: &Point) -> Self {
         let value = fast.efficiency() / slow.efficiency();
-        let relative = |point: &Point| point.rel_mse.error / point.rel_mse.value;
-        let error = relative(slow).hypot(relative(fast));
-        let seeds = slow.seeds.min(fast.seeds);
+        Self::of_means(value, [slow.rel_mse, fast.rel_mse], slow.seeds.min(fast.seeds))
+    }
+
+    /// A ratio to which two means over so many seeds contribute a factor each, or one over it.
+    #[must_use]
+    pub fn of_means(value: f64, means: [Mean; 2], seeds: usize) -> Self {
+        let [a, b] = means.map(|mean| mean.error / mean.value);
+        let error = a.hypot(b);
         let t = if seeds < 2 { f64::NAN } else { student_critical_t(0.05, (seeds - 1) as f64) };
         let factor = libm::exp(t * error);
         Self { value, low: value / factor, high: value * factor }

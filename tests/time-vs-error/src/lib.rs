@@ -12,6 +12,7 @@
 //! | [`comparison`], [`answers`], [`tables`], [`markdown`] | what that means |
 //! | [`report`], [`plot`], [`foreign`] | the files beside it, also with other renderers' curves |
 //! | [`pictures`] | two settings at equal time and at equal error |
+//! | [`stopping`] | what it saves to send samples where they are needed |
 //! | [`counts`] | what each stage does and skips |
 //! | [`skips`] | what each skip is worth |
 //! | `machine`, `progress` | where it ran, and how long it will run |
@@ -43,6 +44,7 @@ pub mod run;
 pub mod scene;
 pub mod skips;
 pub mod stages;
+pub mod stopping;
 pub mod summary;
 pub mod tables;
 pub mod truth;
@@ -63,6 +65,7 @@ pub fn measure(options: &Options) -> Result<()> {
     match options.command {
         None => draw_curves(options),
         Some(Command::Counts) => write_counts(options),
+        Some(Command::Stopping) => write_stopping(options),
     }
 }
 
@@ -78,6 +81,15 @@ fn write_counts(options: &Options) -> Result<()> {
     let rounds = if options.quick { 1 } else { 5 };
     let worths = skips::weigh_all(&stages, COUNTED, rounds)?;
     folder::write(&folder.join("skips.md"), skips::worth_markdown(&worths))
+}
+
+fn write_stopping(options: &Options) -> Result<()> {
+    let stages = Stages::build()?;
+    let folder = options.folder();
+    std::fs::create_dir_all(&folder).map_err(|error| Error::file(&folder, error))?;
+    let stopped = stopping::stop_all(&stages, options.extent())?;
+    folder::write(&folder.join("stopping.md"), stopping::markdown(&stopped))?;
+    folder::write(&folder.join("stopping-answers.md"), stopping::answers(&stopped).text())
 }
 
 fn draw_curves(options: &Options) -> Result<()> {

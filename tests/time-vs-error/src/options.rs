@@ -45,6 +45,8 @@ pub struct Options {
 pub enum Command {
     /// Count what each stage does and skips on each scene, and what each skip is worth
     Counts,
+    /// Render to an error, with samples where they are needed and with as many for every pixel
+    Stopping,
 }
 
 impl Options {

@@ -7,8 +7,8 @@ use serde_json::Value;
 
 use super::Run;
 use crate::{
-    Exposure, Film, FilmPoint, FilmSettings, NoExtra, Options, Sampler, Stage, StatsTarget,
-    Unwatched, expose_until,
+    Counter, Exposure, Film, FilmPoint, FilmSettings, NoExtra, Options, Sampler, Stage,
+    StatsTarget, Unwatched, expose_until,
 };
 
 const STAGE: Stage =
@@ -49,6 +49,45 @@ fn the_error_ends_the_render_and_stands_in_the_summary() {
     let samples = format!("40×30 pixels, {}{samples} a pixel, estimated error 4.", average(&film));
     assert!(text.contains(&samples) && text.contains(" % (relMSE 2."), "no `{samples}` in: {text}");
     assert!(!text.contains("note:"), "{text}");
+}
+
+/// A quiet half and a noisy one.
+fn half_noisy(point: FilmPoint, sampler: &mut Sampler) -> [f32; 3] {
+    let u = sampler.next_1d();
+    [if point.x < 20.0 {
+        0.9 + 0.2 * u
+    } else if u < 0.1 {
+        10.0
+    } else {
+        0.0
+    }; 3]
+}
+
+/// The variance of a sample is 1/300 and 9. For the same error, all alike need n = 4.5/relMSE
+/// samples a pixel. If one half of n goes to all alike and the other to the noisy half, it is
+/// 4.5/(3/2 n) = relMSE: a third is saved, and a little more by the stated errors, whose doubts
+/// shrink as well.
+#[test]
+fn fewer_samples_do_where_some_pixels_are_quiet() {
+    let of = |line| {
+        let run = run_of(&STAGE, line);
+        let film = run.render(EXPOSURE, run.recorder().expect("--stats"), half_noisy);
+        let film = film.unwrap_or_else(|error| panic!("{line}: {error}"));
+        let skipped = run.recorder().map(|recorder| recorder.get(Counter::SamplesNotNeeded));
+        let error = film.estimated_error().expect("an error");
+        assert!((0.05..=0.1).contains(&error), "{line}: stopped at {error}");
+        (film.total_samples() as f64 * error * error, film.samples(), skipped)
+    };
+    let (shared, counts, skipped) = of("stage --error 10% --stats -");
+    let (even, same, none) = of("stage --error 10% --stats - --no-skip samples_not_needed");
+    let ratio = shared / even;
+    assert!((0.58..0.69).contains(&ratio), "{ratio} of the samples for the same error");
+    assert_eq!((same[0], none), (same[1], Some(0)), "without the skip all are alike");
+    let [fewest, most] = counts.map(f64::from);
+    assert!(most > 2.5 * fewest, "{fewest} to {most} samples a pixel");
+    // Half of the pixels miss half of the average.
+    let missing = skipped.unwrap_or(0) as f64 / (600.0 * fewest);
+    assert!((0.9..1.1).contains(&missing), "{skipped:?} samples not needed, at least {fewest}");
 }
 
 #[test]

@@ -21,6 +21,7 @@ const KEYS: [(&str, &[&str]); 4] = [
             "paths_ended_by_black",
             "paths_ended_by_depth",
             "paths_ended_by_roulette",
+            "samples_not_needed",
             "shadow_rays_delta",
             "shadow_rays_facing_away",
             "shadow_rays_nothing_to_reflect",
