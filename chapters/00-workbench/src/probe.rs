@@ -224,6 +224,9 @@ impl Probe for Recorder {
     const ACTIVE: bool = true;
 
     fn count(&self, counter: Counter, by: u64) {
+        if by == 0 {
+            return;
+        }
         let shard = rayon::current_thread_index().unwrap_or(0) % SHARDS;
         self.shards[shard].0[counter as usize].fetch_add(by, Ordering::Relaxed);
     }

@@ -110,13 +110,12 @@ impl<'a, G: Intersect, P: Probe, H: Has> DistributedTracer<'a, G, P, H> {
                         self.probe.skip(Counter::TextureCoordinates, coordinates);
                     }
                     let brdf = self.materials.brdf(&surface, kd, map_kd, lobe);
-                    let n = self.branching.directions;
                     if brdf.is_black() {
-                        let all =
-                            || (0..n).for_each(|_| self.look(&surface, &brdf, sampler.clone()));
-                        self.probe.skip(Counter::PathsEndedByBlack, all);
+                        let next = || self.go_on(&surface, &brdf, sampler.clone());
+                        self.probe.skip(Counter::PathsEndedByBlack, next);
                         return radiance;
                     }
+                    let n = self.branching.directions;
                     let mut reflected = Rgb::ZERO;
                     for _ in 0..n {
                         let density = self.branching.density;
@@ -162,11 +161,15 @@ impl<'a, G: Intersect, P: Probe, H: Has> DistributedTracer<'a, G, P, H> {
     }
     // ANCHOR_END: incident_radiance
 
-    /// Looks in a random direction for nothing: what `--no-skip` wants of a surface that is black.
-    fn look(&self, surface: &SurfacePoint, brdf: &Brdf, mut sampler: Sampler) {
-        let Some(scattered) = brdf.sample(self.branching.density, &mut sampler) else { return };
-        self.probe.count(Counter::ScatterRays, 1);
-        black_box(self.geometry.intersect(&surface.spawn(scattered.wi)));
+    /// The next rays of a path that goes on, for nothing, where the surface is black.
+    fn go_on(&self, surface: &SurfacePoint, brdf: &Brdf, mut sampler: Sampler) {
+        for _ in 0..self.branching.directions {
+            let Some(scattered) = brdf.sample(self.branching.density, &mut sampler) else {
+                continue;
+            };
+            self.probe.count(Counter::ScatterRays, 1);
+            black_box(self.geometry.intersect(&surface.spawn(scattered.wi)));
+        }
     }
 
     /// Counts a ray, and tells of it under `--pixel`.

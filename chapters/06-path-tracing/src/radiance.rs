@@ -102,7 +102,7 @@ impl<'a, G: Intersect, P: Probe, H: Has> PathTracer<'a, G, P, H> {
                     let brdf = self.materials.brdf(&surface, kd, map_kd, lobe);
                     if brdf.is_black() {
                         self.probe.tell(|| "the surface reflects nothing".to_owned());
-                        let next = || self.next_hit(&surface, &brdf, sampler.clone());
+                        let next = || self.go_on(&surface, &brdf, sampler.clone());
                         self.probe.skip(Counter::PathsEndedByBlack, next);
                         break;
                     }
@@ -163,8 +163,8 @@ impl<'a, G: Intersect, P: Probe, H: Has> PathTracer<'a, G, P, H> {
     }
     // ANCHOR_END: incident_radiance
 
-    /// What a path would meet next if it went on where the surface is black.
-    fn next_hit(&self, surface: &SurfacePoint, brdf: &Brdf, mut sampler: Sampler) -> Option<Hit> {
+    /// The next ray of a path that goes on, for nothing, where the surface is black.
+    fn go_on(&self, surface: &SurfacePoint, brdf: &Brdf, mut sampler: Sampler) -> Option<Hit> {
         let scattered = brdf.sample(self.density, &mut sampler)?;
         self.probe.count(Counter::ScatterRays, 1);
         self.geometry.intersect(&surface.spawn(scattered.wi))

@@ -278,8 +278,8 @@ impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
     }
     // ANCHOR_END: incident_radiance
 
-    /// Casts no shadow ray, since no light is there to be asked that could be reflected. Under
-    /// `--no-skip` it leads to one that is not asked.
+    /// Casts no shadow ray where no direction toward a light has been drawn that it could follow.
+    /// Under `--no-skip`, it leads to the middle of a light.
     fn skip_shadow_ray(&self, counter: Counter, surface: &SurfacePoint, sampler: &Sampler) {
         if self.settings.estimator != Estimator::Scatter {
             self.probe.skip(counter, || {
@@ -289,7 +289,8 @@ impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
         }
     }
 
-    /// What a path would find if it went on where the surface is black.
+    /// The shadow ray and the next ray of a path that goes on, for nothing, where the surface is
+    /// black.
     fn go_on(
         &self,
         surface: &SurfacePoint,
