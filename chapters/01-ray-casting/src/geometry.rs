@@ -36,6 +36,7 @@ impl Geometry {
     #[inline]
     #[must_use]
     pub fn corners(&self, triangle: u32) -> [Vec3; 3] {
+        // Without `map`, which the compiler may make a call.
         let vertex = |index: u32| self.vertices[index as usize];
         let [a, b, c] = self.triangles[triangle as usize];
         [vertex(a), vertex(b), vertex(c)]
