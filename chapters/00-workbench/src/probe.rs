@@ -101,6 +101,8 @@ pub enum Counter {
     /// Boundaries crossed straight on, because the index of refraction is the same on both sides:
     /// nothing was split in two by Fresnel's and Snell's equations.
     FresnelSplits,
+    /// Triangles that were not decided on, because the ray starts on them and they are flat.
+    OwnTriangles,
     /// Under `--error`: samples by which pixels hold fewer than the average, because it is quiet
     /// around them.
     SamplesNotNeeded,
@@ -108,7 +110,7 @@ pub enum Counter {
 
 impl Counter {
     /// Every counter, in the order of the statistics file.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 22] = [
         Self::CameraRays,
         Self::ShadowRays,
         Self::ReflectionRays,
@@ -129,6 +131,7 @@ impl Counter {
         Self::TexturesNotLoaded,
         Self::TreesNotBuilt,
         Self::FresnelSplits,
+        Self::OwnTriangles,
         Self::SamplesNotNeeded,
     ];
 
@@ -156,6 +159,7 @@ impl Counter {
             Self::TexturesNotLoaded => ("skipped", "textures_not_loaded"),
             Self::TreesNotBuilt => ("skipped", "trees_not_built"),
             Self::FresnelSplits => ("skipped", "fresnel_splits"),
+            Self::OwnTriangles => ("skipped", "own_triangles"),
             Self::SamplesNotNeeded => ("skipped", "samples_not_needed"),
         }
     }

@@ -20,15 +20,22 @@ pub struct Ray {
     ///
     /// The lower end is left out, so that a ray that starts on a surface (t = 0) does not hit it.
     pub extent: Interval,
+    /// The primitive that it starts on, or [`Ray::NO_PRIMITIVE`]. A triangle is flat: a ray that
+    /// starts on it does not meet it again, and no search needs to ask.
+    pub origin_primitive: u32,
 }
 // ANCHOR_END: ray
 
 impl Ray {
-    /// The whole half-line in front of `origin`.
+    /// The index of no primitive.
+    pub const NO_PRIMITIVE: u32 = u32::MAX;
+
+    /// The whole half-line in front of `origin`, which is a point in space.
     #[inline]
     #[must_use]
     pub const fn new(origin: Vec3, direction: Vec3) -> Self {
-        Self { origin, direction, extent: Interval::FORWARD }
+        let (extent, origin_primitive) = (Interval::FORWARD, Self::NO_PRIMITIVE);
+        Self { origin, direction, extent, origin_primitive }
     }
 
     /// Whether a hit at `t` counts. False for NaN.

@@ -47,7 +47,7 @@ impl SurfacePoint {
     #[inline]
     #[must_use]
     pub fn spawn(&self, direction: Vec3) -> Ray {
-        Ray::new(self.offset_origin(direction), direction)
+        self.ray(self.offset_origin(direction), direction, f32::INFINITY)
     }
 
     /// A ray that leaves for `target` and ends there.
@@ -57,7 +57,7 @@ impl SurfacePoint {
         let origin = self.offset_origin(target - self.position);
         let path = target - origin;
         let distance = path.length();
-        Ray { origin, direction: path / distance, extent: Interval::new(0.0, distance) }
+        self.ray(origin, path / distance, distance)
     }
 
     /// A ray that leaves for the surface that `end` lies on, and ends just before it.
@@ -80,8 +80,14 @@ impl SurfacePoint {
         let origin = self.offset_origin(way);
         let path = end.offset(origin) - origin;
         let distance = path.length();
-        let reach = distance * (1.0 - gamma(8));
-        Ray { origin, direction: path / distance, extent: Interval::new(0.0, reach) }
+        self.ray(origin, path / distance, distance * (1.0 - gamma(8)))
+    }
+
+    /// A ray from this surface, as far as `max`.
+    #[inline]
+    const fn ray(&self, origin: Vec3, direction: Vec3, max: f32) -> Ray {
+        let extent = Interval::new(0.0, max);
+        Ray { origin, direction, extent, origin_primitive: self.hit.primitive }
     }
 
     /// An origin that lies surely on the side of the surface to which `direction` points.
@@ -164,6 +170,7 @@ const DOUBLE_ROUNDING: f32 = 16.0 * f64::EPSILON as f32;
 /// from what casts them; which of the two depends on the size of the scene.
 #[must_use]
 pub fn offset_by_epsilon(surface: &SurfacePoint, direction: Vec3, epsilon: f32) -> Ray {
-    Ray { origin: surface.position, direction, extent: Interval::new(epsilon, f32::INFINITY) }
+    let extent = Interval::new(epsilon, f32::INFINITY);
+    Ray { extent, ..Ray::new(surface.position, direction) }
 }
 // ANCHOR_END: offset_by_epsilon

@@ -185,7 +185,8 @@ pub fn decide(
 fn lies_in_front(forward: f64, sheared: &[[f32; 3]; 3], z: f64, det: f64) -> bool {
     let [a, b, c] = sheared.map(|p| forward as f32 * p[2]);
     let size = size(sheared);
-    if a.min(b).min(c) > gamma(16) * size {
+    let bound = gamma(16) * size;
+    if a > bound && b > bound && c > bound {
         return true;
     }
     let (det, size) = (det.abs(), f64::from(size));
@@ -203,8 +204,15 @@ fn is_passed(ray: &ShearedRay, sheared: &[[f32; 3]; 3], t: f32) -> bool {
 /// The largest |component|.
 #[inline]
 fn size(sheared: &[[f32; 3]; 3]) -> f32 {
-    let [a, b, c] = sheared.map(|p| p[0].abs().max(p[1].abs()).max(p[2].abs()));
-    a.max(b).max(c)
+    let [a, b, c] = sheared.map(|p| larger(p[0].abs(), larger(p[1].abs(), p[2].abs())));
+    larger(a, larger(b, c))
+}
+
+/// The larger of two numbers that are not NaN: one instruction, where `f32::max` takes some more to
+/// make sure that a NaN loses. A sheared vertex with a NaN has no t, and never gets here.
+#[inline]
+fn larger(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
 }
 
 /// The t of a hit that may lie on either side of the origin, as far as `t` can say: the exact plane
@@ -226,9 +234,9 @@ fn size(sheared: &[[f32; 3]; 3]) -> f32 {
 ///   can be. Otherwise a ray that starts in the corner of a room, next to one wall, would leave
 ///   through it. But it has to be where the exact plane is met, too: the origin then lies between
 ///   two points of the triangle, and no volume around the triangle can lose it.
-#[inline(never)] // hardly ever called: it would only be in the way of the loop over triangles
+#[inline(never)] // seldom called: it would only be in the way of the loop over triangles
 fn settle(ray: &Ray, vertices: [Vec3; 3], t: f32) -> Option<f32> {
-    let Ray { origin, direction, extent } = *ray;
+    let Ray { origin, direction, extent, .. } = *ray;
     let [v0, v1, v2] = opposite_the_longest_edge(vertices.map(|v| v.as_dvec3()));
     let (o, d) = (origin.as_dvec3(), direction.as_dvec3());
     let (e1, e2) = (v1 - v0, v2 - v0);

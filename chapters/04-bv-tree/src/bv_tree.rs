@@ -235,8 +235,11 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
             let mut possible = sheared.possible(leaf.primitives());
             while let Some(i) = pop_bit(&mut possible) {
                 let vertices = || four.corners(i);
-                let hit = triangle::decide(ray, sheared.corners(i), vertices, four.names[i]);
-                if let Some(hit) = hit {
+                let decide = || triangle::decide(ray, sheared.corners(i), vertices, four.names[i]);
+                if self.starts_on(ray, four.names[i], decide) {
+                    continue;
+                }
+                if let Some(hit) = decide() {
                     let point = || ExactPoint::of_triangle(vertices(), hit.barycentric);
                     self.skip_point_beside(nearest, point);
                     consider(hit, ray, nearest);
@@ -260,6 +263,21 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
         }
     }
 
+    /// Whether the ray starts on this triangle. It is flat, and what `decide` would find is nothing.
+    #[inline(always)]
+    fn starts_on(
+        &self,
+        ray: &ShearedRay,
+        triangle: u32,
+        decide: impl FnOnce() -> Option<Hit>,
+    ) -> bool {
+        let is_own = triangle == ray.ray.origin_primitive;
+        if is_own {
+            self.probe.skip(Counter::OwnTriangles, decide);
+        }
+        is_own
+    }
+
     /// Of two hits, the point of one is not needed. Which one will be known later: the work is that
     /// of the hit that has just been found, when there is another one already.
     #[inline(always)]
@@ -279,7 +297,11 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
             let mut possible = sheared.possible(leaf.primitives());
             while let Some(i) = pop_bit(&mut possible) {
                 let vertices = || four.corners(i);
-                if let Some(hit) = triangle::decide(ray, sheared.corners(i), vertices, 0) {
+                let decide = || triangle::decide(ray, sheared.corners(i), vertices, four.names[i]);
+                if self.starts_on(ray, four.names[i], decide) {
+                    continue;
+                }
+                if let Some(hit) = decide() {
                     let point = || ExactPoint::of_triangle(vertices(), hit.barycentric);
                     self.probe.skip(Counter::SurfacePoints, point);
                     return true;

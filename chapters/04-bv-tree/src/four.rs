@@ -37,6 +37,13 @@ fn zip(a: Four, b: Four, f: impl Fn(f32, f32) -> f32) -> Four {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])]
 }
 
+/// Bit i is set where answer i is yes.
+#[inline(always)]
+pub(crate) fn mask(answers: [bool; 4]) -> u32 {
+    let bits = answers.map(|yes| if yes { u32::MAX } else { 0 } >> 31);
+    bits[0] | (bits[1] << 1) | (bits[2] << 2) | (bits[3] << 3)
+}
+
 /// Takes the lowest bit out of a mask of four.
 #[inline(always)]
 pub(crate) const fn pop_bit(mask: &mut u32) -> Option<usize> {

@@ -3,7 +3,7 @@
 use glam::Vec3;
 use ray_casting::triangle::ShearedRay;
 
-use crate::four::{Four, larger_of, mul, smaller_of, sub};
+use crate::four::{Four, larger_of, mask, mul, smaller_of, sub};
 
 /// The triangles of a leaf. The last places may be unused.
 #[derive(Clone, Copy, Debug)]
@@ -80,8 +80,7 @@ impl ShearedFour {
     /// Bit i is set for each of the first `n` triangles that single precision does not rule out.
     #[inline(always)]
     pub(crate) fn possible(&self, n: u32) -> u32 {
-        let is_out = |i: usize| u32::from(self.contradiction[i] < 0.0);
-        let out = (0..4).fold(0, |mask, i| mask | (is_out(i) << i));
+        let out = mask(self.contradiction.map(|contradiction| contradiction < 0.0));
         !out & ((1 << n) - 1)
     }
 

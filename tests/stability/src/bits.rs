@@ -46,7 +46,11 @@ pub fn vec3(v: Vec3) -> String {
 pub fn ray(ray: &Ray) -> String {
     let extent = format!("Interval::new({}, {})", float(ray.extent.min), float(ray.extent.max));
     let (origin, direction) = (vec3(ray.origin), vec3(ray.direction));
-    format!("Ray {{ origin: {origin}, direction: {direction}, extent: {extent} }}")
+    let from = match ray.origin_primitive {
+        Ray::NO_PRIMITIVE => String::new(),
+        primitive => format!("origin_primitive: {primitive}, "),
+    };
+    format!("Ray {{ extent: {extent}, {from}..Ray::new({origin}, {direction}) }}")
 }
 
 #[cfg(test)]

@@ -48,7 +48,7 @@ impl Skip {
 }
 
 /// Every skip that can be switched off, on scenes in which it has something to do.
-pub const SKIPS: [Skip; 29] = [
+pub const SKIPS: [Skip; 31] = [
     volumes("teapot", 2),
     volumes("whitted-teapot", 1),
     volumes("many-lights", 4),
@@ -64,6 +64,8 @@ pub const SKIPS: [Skip; 29] = [
     splits("touching-glass", "mirror-refraction", 64),
     surface_points("nested-glass", "mirror-refraction", 64),
     surface_points("cornell-box", "light-sampling", 64),
+    own("teapot", "path-tracing", 64),
+    own("cornell-box", "light-sampling", 64),
     coordinates("sphereflake", "bv-tree", 64),
     coordinates("cornell-box", "light-sampling", 64),
     pictures("whitted", "ray-casting"),
@@ -130,6 +132,11 @@ const fn splits(scene: &'static str, stage: &'static str, samples: u32) -> Skip 
 const fn surface_points(scene: &'static str, stage: &'static str, samples: u32) -> Skip {
     let name = "points and normals of other hits";
     unneeded(name, scene, stage, ("", samples), "--no-skip surface_points")
+}
+
+const fn own(scene: &'static str, stage: &'static str, samples: u32) -> Skip {
+    let name = "the triangle that a ray starts on";
+    unneeded(name, scene, stage, ("", samples), "--no-skip own_triangles")
 }
 
 const fn coordinates(scene: &'static str, stage: &'static str, samples: u32) -> Skip {

@@ -18,7 +18,7 @@ pub(crate) fn unmoved(surface: &SurfacePoint, light: Vec3) -> Ray {
     let path = light - surface.position;
     let distance = path.length();
     let extent = Interval::new(0.0, distance);
-    Ray { origin: surface.position, direction: path / distance, extent }
+    Ray { extent, ..Ray::new(surface.position, path / distance) }
 }
 
 /// The constant that ray tracers have used for decades.

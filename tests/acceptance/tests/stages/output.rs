@@ -18,6 +18,7 @@ const KEYS: [(&str, &[&str]); 4] = [
             "any_hit_exits",
             "branches_below_threshold",
             "fresnel_splits",
+            "own_triangles",
             "paths_ended_by_black",
             "paths_ended_by_depth",
             "paths_ended_by_roulette",

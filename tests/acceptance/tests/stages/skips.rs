@@ -169,6 +169,21 @@ fn what_is_calculated_for_nothing_changes_no_other_count() {
     }
 }
 
+/// The triangle that a ray starts on. It is flat, so to test it finds nothing; and the test of a leaf is
+/// counted for all of its triangles.
+#[test]
+fn a_ray_does_not_meet_the_triangle_that_it_starts_on() {
+    let folder = folder();
+    let key = "own_triangles";
+    for stage in ["bv-tree", "rendering-equation", "path-tracing", "light-sampling"] {
+        let [with, mut without] = compare(&folder, stage, "rich.toml", key);
+        without.skipped.insert(key.to_owned(), with.skipped[key]);
+        assert_eq!(with.skipped, without.skipped, "{stage}: what else is skipped");
+        let work = [&with, &without].map(|work| (&work.rays, work.tests()));
+        assert_eq!(work[0], work[1], "{stage}: rays and tests");
+    }
+}
+
 /// What is wrong with a picture that nobody needs is found out only by who loads it.
 #[test]
 fn a_picture_that_nothing_wears_is_not_loaded() {

@@ -20,6 +20,18 @@ pub(super) const MUTANTS: &[Mutant] = &[
         test: BOXES,
     },
     Mutant {
+        name: "a ray leaves out the triangle beside its own as well",
+        lesson: "only the triangle itself is flat: its neighbours may be met",
+        file: TREE,
+        old: "triangle == ray.ray.origin_primitive",
+        new: "triangle | 1 == ray.ray.origin_primitive | 1",
+        test: Test::of(
+            PACKAGE,
+            "trees",
+            "a_ray_that_leaves_a_triangle_meets_what_the_search_through_everything_meets",
+        ),
+    },
+    Mutant {
         name: "the slab test with min and max",
         lesson: "0·∞ is NaN, min and max drop it, and a ray in a face misses its box",
         file: SLAB,

@@ -78,9 +78,9 @@ pub(super) const MUTANTS: &[Mutant] = &[
         name: "t from 0.001 on instead of an offset",
         lesson: "a constant is too little for a large scene and jumps over the details of a small one",
         file: SURFACE,
-        old: "Ray::new(self.offset_origin(direction), direction)",
-        new: "Ray {\n            origin: self.position,\n            direction,\n            \
-              extent: Interval::new(0.001, f32::INFINITY),\n        }",
+        old: "self.ray(self.offset_origin(direction), direction, f32::INFINITY)",
+        new: "Ray {\n            extent: Interval::new(0.001, f32::INFINITY),\n            \
+              ..Ray::new(self.position, direction)\n        }",
         test: Test::of(PACKAGE, "kernels", "a_ray_does_not_jump_over_what_lies_close_by"),
     },
     Mutant {
@@ -111,8 +111,8 @@ pub(super) const MUTANTS: &[Mutant] = &[
         name: "what lies behind the light throws a shadow",
         lesson: "a shadow ray ends at its light",
         file: SURFACE,
-        old: "Ray { origin, direction: path / distance, extent: Interval::new(0.0, distance) }",
-        new: "Ray::new(origin, path / distance)",
+        old: "self.ray(origin, path / distance, distance)",
+        new: "self.ray(origin, path / distance, f32::INFINITY)",
         test: Test::of(
             PACKAGE,
             "scenes",

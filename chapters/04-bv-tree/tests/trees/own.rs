@@ -1,0 +1,56 @@
+//! The triangle that a ray starts on is not tested.
+
+use std::path::Path;
+
+use bv_tree::{Aabb, Builder, BvTree};
+use glam::Vec3;
+use ray_casting::{Hit, Intersect, LinearSearch, Ray, Scene};
+use workbench::{Counter, FilmPoint, Recorder, Sampler, Unwatched};
+
+use crate::tools::in_cube;
+
+/// Bits of a hit.
+fn bits(hit: Option<Hit>) -> Option<(u32, u32)> {
+    hit.map(|hit| (hit.t.to_bits(), hit.primitive))
+}
+
+/// A walk from surface to surface, in random directions, which the search through everything has to
+/// confirm: it knows nothing of where a ray starts. Some directions run nearly along the surface.
+fn check(name: &str, walks: u64) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/scenes");
+    let scene = Scene::load(&folder.join(name).with_extension("toml")).expect(name);
+    let recorder = Recorder::new();
+    let tree = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &recorder);
+    let all = LinearSearch::new(&scene.geometry, &Unwatched);
+    let mut rays = 0;
+    for walk in 0..walks {
+        let mut sampler = Sampler::new(9, walk, 0);
+        let point = FilmPoint::in_pixel([0, 0], sampler.next_2d(), [1, 1]);
+        let mut ray = scene.camera.ray(point);
+        for step in 0..8 {
+            let hit = tree.intersect(&ray);
+            assert_eq!(bits(hit), bits(all.intersect(&ray)), "{name}: {ray:?}");
+            assert_eq!(tree.occluded(&ray), hit.is_some(), "{name}: occluded, {ray:?}");
+            rays += 1;
+            let Some(hit) = hit else { break };
+            let surface = scene.surface(&ray, &hit);
+            let normal = surface.facing_normal();
+            let direction = in_cube(&mut sampler).normalize_or(Vec3::Z);
+            let tilt = if step % 2 == 0 { 1.0 } else { 1e-6 };
+            let along = direction - (1.0 - tilt) * direction.dot(normal) * normal;
+            ray = surface.spawn(along.normalize_or(normal));
+            let on_it = ray.origin_primitive == hit.primitive;
+            assert!(on_it, "{name}: starts on {hit:?}: {ray:?}");
+        }
+    }
+    let skipped = recorder.get(Counter::OwnTriangles);
+    assert!(skipped > rays / 4, "{name}: {skipped} own triangles of {rays} rays, twice each");
+    assert_eq!(Ray::new(Vec3::ZERO, Vec3::X).origin_primitive, Ray::NO_PRIMITIVE, "in space");
+}
+
+#[test]
+fn a_ray_that_leaves_a_triangle_meets_what_the_search_through_everything_meets() {
+    check("cornell-box", 4000);
+    check("teapot", 100);
+    check("whitted-teapot", 100);
+}
