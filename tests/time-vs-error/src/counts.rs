@@ -10,7 +10,7 @@ use statistics::grouped;
 
 use crate::error::{Error, Result};
 use crate::markdown::table;
-use crate::scene::assets;
+use crate::scene::stored;
 use crate::stages::{Rendered, STAGES, Stages};
 
 /// Scenes whose files need nothing that is generated, in the order of the chapters.
@@ -113,7 +113,7 @@ pub(crate) fn render(
     stage: &str,
     arguments: &str,
 ) -> Result<Rendered> {
-    let file = assets().join("scenes").join(scene).with_extension("toml");
+    let file = stored(scene);
     stages.render(stage, &file, arguments)
 }
 

@@ -191,9 +191,9 @@ fn estimators(extent: Extent) -> Vec<Experiment> {
         Extent::Full => 5,
         Extent::Quick => 3,
     });
-    let of = |scene, size, answer| Experiment {
+    let of = |scene| Experiment {
         question: "estimators",
-        scene: Scene::stored(scene, size, answer),
+        scene,
         settings: [("mis", 6.0), ("light", 6.0), ("scatter", 3.6)]
             .map(|(estimator, price)| {
                 let options = format!("--depth 16 --estimator {estimator}");
@@ -202,10 +202,13 @@ fn estimators(extent: Extent) -> Vec<Experiment> {
             .to_vec(),
         seeds: seeds(extent),
     };
-    vec![
-        of("cornell-box", SIZE, Answer::Reference("cornell")),
-        of("veach-plates", [64, 48], Answer::Own { depth: 16, samples: own_samples(extent) }),
-    ]
+    let own = Answer::Own { depth: 16, samples: own_samples(extent) };
+    let scenes = [
+        Scene::stored("cornell-box", SIZE, Answer::Reference("cornell")),
+        Scene::mesh(SIZE),
+        Scene::stored("veach-plates", [64, 48], own),
+    ];
+    scenes.into_iter().map(of).collect()
 }
 
 /// Which of many lamps should be asked?

@@ -4,9 +4,10 @@ use std::fs::{self, File};
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
-use generator::Terrain;
+use generator::{Blob, Surface, Terrain};
 
 use crate::error::{Error, Result};
+use crate::folder;
 
 /// A scene at a size, with its right answer.
 #[derive(Clone, Debug)]
@@ -25,6 +26,8 @@ enum Source {
     Stored,
     /// A terrain with so many squares along its edge.
     Terrain(u32),
+    /// The ball of the scene `mesh`, too large to be kept in the workspace.
+    Ball,
 }
 
 /// Where the right answer comes from.
@@ -52,6 +55,13 @@ impl Scene {
         Self { name: name.to_owned(), size, answer, source: Source::Stored }
     }
 
+    /// The scene `mesh`: a bumpy ball of 204 160 triangles.
+    #[must_use]
+    pub fn mesh(size: [u32; 2]) -> Self {
+        let answer = Answer::Reference("mesh");
+        Self { name: "mesh".to_owned(), size, answer, source: Source::Ball }
+    }
+
     /// A landscape of 2 · `side`² triangles under one light, of which only times are wanted.
     #[must_use]
     pub fn terrain(side: u32, size: [u32; 2]) -> Self {
@@ -63,19 +73,20 @@ impl Scene {
     #[must_use]
     pub fn triangles(&self) -> Option<u32> {
         match self.source {
-            Source::Stored => None,
+            Source::Stored | Source::Ball => None,
             Source::Terrain(side) => Some(2 * side * side),
         }
     }
 
-    /// The scene's file; that of a terrain is written into `folder` first.
+    /// The scene's file; if its mesh is not kept, both are written into `folder` first.
     ///
     /// # Errors
     /// If the file cannot be written.
     pub fn file(&self, folder: &Path) -> Result<PathBuf> {
         match self.source {
-            Source::Stored => Ok(assets().join("scenes").join(&self.name).with_extension("toml")),
+            Source::Stored => Ok(stored(&self.name)),
             Source::Terrain(side) => write_terrain(&self.name, side, folder),
+            Source::Ball => write_ball(folder),
         }
     }
 }
@@ -86,16 +97,34 @@ pub fn assets() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets")
 }
 
+/// The file of a scene that the workspace keeps.
+#[must_use]
+pub fn stored(name: &str) -> PathBuf {
+    assets().join("scenes").join(name).with_extension("toml")
+}
+
 fn write_terrain(name: &str, side: u32, folder: &Path) -> Result<PathBuf> {
-    let mesh = folder.join(format!("{name}.obj"));
-    let failed = |error| Error::file(&mesh, error);
-    let mut file = BufWriter::new(File::create(&mesh).map_err(failed)?);
-    generator::write_obj(&mut file, &Terrain { side, seed: 0 }).map_err(failed)?;
-    drop(file.into_inner().map_err(|error| Error::file(&mesh, error))?);
+    let mesh = format!("{name}.obj");
+    write_mesh(&folder.join(&mesh), &Terrain { side, seed: 0 })?;
     let scene = folder.join(format!("{name}.toml"));
-    fs::write(&scene, TERRAIN.replace("MESH", &format!("{name}.obj")))
-        .map_err(|error| Error::file(&scene, error))?;
+    folder::write(&scene, TERRAIN.replace("MESH", &mesh))?;
     Ok(scene)
+}
+
+fn write_ball(folder: &Path) -> Result<PathBuf> {
+    write_mesh(&folder.join("blob.obj"), &Blob { n: 320 })?;
+    let file = stored("mesh");
+    let text = fs::read_to_string(&file).map_err(|error| Error::file(&file, error))?;
+    let scene = folder.join("mesh.toml");
+    folder::write(&scene, text.replace("../meshes/blob.obj", "blob.obj"))?;
+    Ok(scene)
+}
+
+fn write_mesh(path: &Path, surface: &impl Surface) -> Result<()> {
+    let failed = |error| Error::file(path, error);
+    let mut file = BufWriter::new(File::create(path).map_err(failed)?);
+    generator::write_obj(&mut file, surface).map_err(failed)?;
+    file.into_inner().map(drop).map_err(|error| Error::file(path, error))
 }
 
 /// The landscape fills the picture from edge to edge, whatever its number of triangles.

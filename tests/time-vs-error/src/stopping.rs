@@ -8,7 +8,7 @@ use crate::markdown::{factor, percent, scientific, table};
 use crate::matrix::Extent;
 use crate::measures;
 use crate::row::spent;
-use crate::scene::assets;
+use crate::scene::stored;
 use crate::stages::{Rendered, Stages};
 use crate::truth::Truth;
 
@@ -112,7 +112,7 @@ impl Stop {
 
     fn sample(self, stages: &Stages, options: &str, seed: u64, right: &Truth) -> Result<Sample> {
         let Self { scene, stage, size: [width, height], percent, .. } = self;
-        let file = assets().join("scenes").join(scene).with_extension("toml");
+        let file = stored(scene);
         let arguments = format!(
             "--size {width}x{height} --depth 16 --error {percent}% --seed {seed} {options}"
         );
