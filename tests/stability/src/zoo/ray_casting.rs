@@ -52,9 +52,8 @@ pub(super) const MUTANTS: &[Mutant] = &[
         name: "rounded edges decide",
         lesson: "single precision calls an edge zero that is not: both sides claim or deny the ray",
         file: "chapters/01-ray-casting/src/triangle.rs",
-        old: "let [a, b, c] = sheared.map(|p| p.map(f64::from));\n    \
-              let u = c[0] * b[1] - c[1] * b[0];",
-        new: "let [a, b, c] = sheared.map(|p| p.map(f64::from));\n    \
+        old: "double(sheared[2])];\n    let u = c[0] * b[1] - c[1] * b[0];",
+        new: "double(sheared[2])];\n    \
               let u = f64::from((c[0] * b[1]) as f32 - (c[1] * b[0]) as f32);",
         test: Test::of(PACKAGE, "kernels", "neither_winding_nor_first_corner_changes_the_answer"),
     },

@@ -72,6 +72,22 @@ pub(super) const MUTANTS: &[Mutant] = &[
         test: Test::lib(PACKAGE, "a_point_stays_in_its_pixel"),
     },
     Mutant {
+        name: "a pixel decides its own number of samples",
+        lesson: "it stops while its rare bright samples are missing, and is too dark",
+        file: "chapters/00-workbench/src/need.rs",
+        old: "if j != i && !variances[j].is_nan()",
+        new: "if !variances[j].is_nan()",
+        test: Test::lib(PACKAGE, "a_pixel_has_no_say_in_its_own_number"),
+    },
+    Mutant {
+        name: "samples in proportion to the variance",
+        lesson: "its root is best: beyond, samples go where they do less good than elsewhere",
+        file: "chapters/00-workbench/src/need.rs",
+        old: "median.sqrt()",
+        new: "*median",
+        test: Test::lib(PACKAGE, "the_need_is_the_root_of_the_median_of_the_neighbours"),
+    },
+    Mutant {
         name: "a power of 2.2 instead of the sRGB curve",
         lesson: "the two differ by up to six bytes, most of all in the dark",
         file: "chapters/00-workbench/src/srgb.rs",
