@@ -11,7 +11,7 @@ use crate::{Error, Estimate, Film, FilmPoint, Image, Sampler};
 pub(crate) const LARGEST_PICTURE: u64 = 1 << 26;
 
 /// The most pixels of a picture that estimates its error, which takes 96 bytes a pixel more, and under
-/// `--error` 104 more than that: 8 GiB.
+/// `--error` 128 more than that: 9 GiB.
 pub(crate) const LARGEST_ESTIMATE: u64 = 1 << 25;
 
 /// The longest side of a picture in pixels: f32 film coordinates still tell 256 points of a pixel

@@ -3,6 +3,7 @@
 use ray_casting::{Geometry, Interval, Ray};
 
 use crate::aabb::Aabb;
+use crate::four::mask;
 use crate::item::Item;
 use crate::slab::smaller;
 
@@ -60,15 +61,17 @@ impl FourIntervals {
     /// Bit i is set if interval i is not empty and begins at most at `max`.
     #[inline(always)]
     pub(crate) fn begin_before(&self, max: f32) -> u32 {
-        let end = self.max.map(|end| smaller(end, max));
-        (0..4).fold(0, |mask, i| mask | (u32::from(self.min[i] <= end[i]) << i))
+        let begins = |i: usize| self.min[i] <= smaller(self.max[i], max);
+        mask([begins(0), begins(1), begins(2), begins(3)])
     }
 
     /// Clips four volumes one after the other: the plain way.
     #[inline]
     pub fn one_by_one<V: BoundingVolume>(volumes: &[V; 4], query: &V::Query) -> Self {
-        let intervals = [0, 1, 2, 3].map(|i| volumes[i].clip(query));
-        Self { min: intervals.map(|i| i.min), max: intervals.map(|i| i.max) }
+        // Without `map`, which the compiler may make calls of.
+        let clip = |i: usize| volumes[i].clip(query);
+        let (a, b, c, d) = (clip(0), clip(1), clip(2), clip(3));
+        Self { min: [a.min, b.min, c.min, d.min], max: [a.max, b.max, c.max, d.max] }
     }
 }
 
