@@ -64,8 +64,8 @@ pub struct Code {
 /// On `cornell-box` the code for matte surfaces executes 8.9 % fewer instructions than that for any
 /// scene in this chapter, 7.8 % in chapter 6 and 4.6 % in chapter 7 (`--for-any-scene`, with 32 × 32
 /// pixels, 16 samples, depth 8 and one thread, under `valgrind --tool=callgrind`). It is as fast as if
-/// there were no other: with `Materials::at` that knows nothing but k_d, the counts are 0.2 %, 0.2 %
-/// and 0.0 % smaller (depth 4).
+/// there were no other: with `Materials::at` that knows nothing but k_d, the counts are 0.0 %, 0.1 %
+/// and 0.1 % smaller (depth 4).
 pub trait Has: Sync + 'static {
     /// Boundaries of glass.
     const GLASS: bool;
