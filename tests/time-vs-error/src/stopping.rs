@@ -48,14 +48,14 @@ const fn stop(
 /// Half of the samples where they are needed; as many for every pixel.
 const OPTIONS: [&str; 2] = ["", "--no-skip samples_not_needed"];
 
-/// A scene with what came out in both ways, in the order of [`OPTIONS`].
+/// A scene with what came out in both ways.
 #[derive(Clone, Debug)]
 pub struct Stopped {
     /// What was rendered.
     pub stop: Stop,
     /// How many seeds.
     pub seeds: usize,
-    /// Where samples are needed, and alike.
+    /// With samples where they are needed, and with as many for every pixel.
     pub ways: [Way; 2],
 }
 
