@@ -34,10 +34,13 @@ pub struct Pair {
 }
 
 /// The questions that are answered by pictures, too.
-pub const PAIRS: [Pair; 5] = [
+pub const PAIRS: [Pair; 8] = [
     Pair { question: "density", scene: "furnace", first: ("cosine", 16), second: "uniform" },
+    Pair { question: "density", scene: "cornell-box", first: ("cosine", 64), second: "uniform" },
     Pair { question: "branching", scene: "cornell-box", first: ("N = 8", 2), second: "N = 1" },
+    Pair { question: "ending", scene: "cornell-box", first: ("depth 2", 64), second: "roulette" },
     Pair { question: "estimators", scene: "cornell-box", first: ("mis", 16), second: "scatter" },
+    Pair { question: "estimators", scene: "mesh", first: ("mis", 16), second: "scatter" },
     Pair { question: "estimators", scene: "veach-plates", first: ("mis", 16), second: "light" },
     Pair { question: "lights", scene: "many-lights", first: ("nearby", 16), second: "uniform" },
 ];
