@@ -9,73 +9,12 @@ use crate::need::{self, Need};
 use crate::pixel_sum::PixelSum;
 use crate::portion::Portion;
 use crate::spread::{self, Spread};
+use crate::tile::Tile;
 use crate::{Estimate, FilmPoint, Image, Sampler};
-
-/// The side of a tile in pixels: small enough to keep all cores busy to the end, large enough that
-/// handing tiles out costs nothing.
-const TILE: u32 = 16;
 
 /// How many samples of a pixel are taken before they are added to it: few enough to stay close to
 /// the processor.
 const BATCH: u32 = 16;
-
-/// A rectangle of pixels that one thread works on at a time.
-#[derive(Clone, Debug)]
-struct Tile {
-    origin: [u32; 2],
-    width: u32,
-    pixels: Vec<PixelSum>,
-    /// One for each pixel if the film estimates its error, else none.
-    spreads: Vec<Spread>,
-    /// One for each pixel if the film shares its samples out, else none.
-    needs: Vec<Need>,
-}
-
-impl Tile {
-    /// The coordinates of the tile's pixels, row by row.
-    fn coordinates(&self) -> impl Iterator<Item = [u32; 2]> + use<> {
-        let ([x, y], width) = (self.origin, self.width);
-        (0..).map(move |i| [x + i % width, y + i / width])
-    }
-
-    /// The pixels of the tile with their coordinates, row by row.
-    fn pixels(&self) -> impl Iterator<Item = ([u32; 2], &PixelSum)> {
-        self.coordinates().zip(&self.pixels)
-    }
-
-    /// Adds samples to pixel number `i` of the tile; `is_even` if all pixels get as many.
-    ///
-    /// Whether spreads are wanted is asked here, once for a batch of samples.
-    fn add(&mut self, i: usize, batch: &[[f32; 3]], is_even: bool) {
-        let sum = &mut self.pixels[i];
-        let Some(spread) = self.spreads.get_mut(i) else {
-            for &radiance in batch {
-                sum.add(radiance);
-            }
-            return;
-        };
-        let mut need = self.needs.get_mut(i).filter(|_| is_even);
-        for &radiance in batch {
-            if sum.add(radiance) {
-                spread.add(sum.finite - 1, radiance);
-                if let Some(need) = &mut need {
-                    need.add(radiance);
-                }
-            }
-        }
-    }
-
-    /// How many samples pixel number `i` gets of a portion.
-    fn due(&self, i: usize, portion: Portion) -> u32 {
-        match portion {
-            Portion::Even(samples) => samples,
-            Portion::Wanted(most) => {
-                let wanted = self.needs.get(i).map_or(0, |need| need.wanted);
-                wanted.saturating_sub(self.pixels[i].taken).min(most)
-            }
-        }
-    }
-}
 
 /// The film: sums and counts of the samples of every pixel.
 ///
@@ -108,17 +47,11 @@ impl Film {
 
     fn part(size: [u32; 2], origin: [u32; 2], extent: [u32; 2]) -> Result<Self, TryReserveError> {
         let mut tiles = Vec::new();
-        for y in (0..extent[1]).step_by(TILE as usize) {
-            for x in (0..extent[0]).step_by(TILE as usize) {
-                let (width, height) = (TILE.min(extent[0] - x), TILE.min(extent[1] - y));
-                let count = (width * height) as usize;
-                let mut pixels = Vec::new();
-                pixels.try_reserve_exact(count)?;
-                pixels.resize(count, PixelSum::default());
+        for y in (0..extent[1]).step_by(Tile::SIDE as usize) {
+            for x in (0..extent[0]).step_by(Tile::SIDE as usize) {
+                let size = [extent[0] - x, extent[1] - y].map(|rest| rest.min(Tile::SIDE));
                 tiles.try_reserve(1)?;
-                let origin = [origin[0] + x, origin[1] + y];
-                let (spreads, needs) = (Vec::new(), Vec::new());
-                tiles.push(Tile { origin, width, pixels, spreads, needs });
+                tiles.push(Tile::new([origin[0] + x, origin[1] + y], size)?);
             }
         }
         Ok(Self { size, origin, extent, tiles })
@@ -389,9 +322,10 @@ mod tests {
     use std::thread;
     use std::time::{Duration, Instant};
 
-    use super::{Film, TILE};
+    use super::Film;
     use crate::goal::Goal;
     use crate::portion::Portion;
+    use crate::tile::Tile;
     use crate::{FilmPoint, FilmSettings, Image, Sampler, expose};
 
     const SETTINGS: FilmSettings =
@@ -421,9 +355,9 @@ mod tests {
     #[test]
     fn a_slow_tile_holds_up_no_other() {
         let tiles = 8 * 8;
-        let mut film = Film::new([8 * TILE, 8 * TILE]).expect("a small film");
+        let mut film = Film::new([8 * Tile::SIDE, 8 * Tile::SIDE]).expect("a small film");
         let done = AtomicU64::new(0);
-        let others = || done.load(Ordering::SeqCst) / u64::from(TILE * TILE);
+        let others = || done.load(Ordering::SeqCst) / u64::from(Tile::SIDE * Tile::SIDE);
         let slow = |point: FilmPoint, _: &mut Sampler| {
             let deadline = Instant::now() + Duration::from_secs(10);
             // The first pixel of the first tile: it waits until all other tiles are done.

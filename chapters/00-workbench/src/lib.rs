@@ -41,6 +41,7 @@ mod suggestion;
 mod summary;
 mod text_lines;
 mod texture;
+mod tile;
 mod toml_table;
 
 pub use error::Error;

@@ -12,8 +12,6 @@ use crate::stages::{Rendered, Stages};
 /// A skip that an option switches off.
 #[derive(Clone, Copy, Debug)]
 pub struct Skip {
-    /// What is skipped.
-    pub name: &'static str,
     /// The scene.
     pub scene: &'static str,
     /// The stage.
@@ -36,6 +34,29 @@ pub enum Part {
 }
 
 impl Skip {
+    /// What is skipped.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self.without.0 {
+            "--volume none" => "what volumes enclose",
+            "--no-skip shadow_rays_facing_away" => "shadow rays from which no light could come",
+            "--no-skip shadow_rays_nothing_to_reflect" => "shadow rays with nothing to reflect",
+            "--no-skip shadow_rays_delta" => "shadow rays at mirrors and glass",
+            "--no-skip any_hit_exits" => "the search after the first hit of a shadow ray",
+            "--no-skip paths_ended_by_black" => "paths from black surfaces",
+            "--no-skip fresnel_splits" => "splits between equal indices",
+            "--no-skip surface_points" => "points and normals of other hits",
+            "--no-skip own_triangles" => "the triangle that a ray starts on",
+            "--no-skip texture_coordinates" => "texture coordinates without a picture",
+            "--no-skip trees_not_built" => "trees over few primitives",
+            "--for-any-scene" => "code for what is not there",
+            "--no-skip textures_not_loaded" => "pictures that are not needed",
+            "--cutoff 0" => "branches below the cutoff",
+            "--depth 16 --roulette off" => "paths, by roulette",
+            options => options,
+        }
+    }
+
     /// Under which key of `skipped` it is counted, if it is.
     #[must_use]
     pub fn key(&self) -> Option<&'static str> {
@@ -52,122 +73,59 @@ pub const SKIPS: [Skip; 31] = [
     volumes("teapot", 2),
     volumes("whitted-teapot", 1),
     volumes("many-lights", 4),
-    facing_away("many-lights", "bv-tree", 16),
-    facing_away("cornell-box", "light-sampling", 64),
-    nothing_to_reflect("veach-plates", "bv-tree", 64),
-    nothing_to_reflect("many-lights", "bv-tree", 16),
-    delta("sphereflake", "light-sampling", 64),
-    any_hit("sphereflake", "mirror-refraction", 4),
-    any_hit("sphereflake", "bv-tree", 64),
-    any_hit("cornell-box", "light-sampling", 64),
-    paths_at_black("veach-plates", "path-tracing", 64),
-    splits("touching-glass", "mirror-refraction", 64),
-    surface_points("nested-glass", "mirror-refraction", 64),
-    surface_points("cornell-box", "light-sampling", 64),
-    own("teapot", "path-tracing", 64),
-    own("cornell-box", "light-sampling", 64),
-    coordinates("sphereflake", "bv-tree", 64),
-    coordinates("cornell-box", "light-sampling", 64),
+    skip("many-lights", "bv-tree", 16, "--no-skip shadow_rays_facing_away"),
+    skip("cornell-box", "light-sampling", 64, "--no-skip shadow_rays_facing_away"),
+    skip("veach-plates", "bv-tree", 64, "--no-skip shadow_rays_nothing_to_reflect"),
+    skip("many-lights", "bv-tree", 16, "--no-skip shadow_rays_nothing_to_reflect"),
+    skip("sphereflake", "light-sampling", 64, "--no-skip shadow_rays_delta"),
+    skip("sphereflake", "mirror-refraction", 4, "--no-skip any_hit_exits"),
+    skip("sphereflake", "bv-tree", 64, "--no-skip any_hit_exits"),
+    skip("cornell-box", "light-sampling", 64, "--no-skip any_hit_exits"),
+    skip("veach-plates", "path-tracing", 64, "--no-skip paths_ended_by_black"),
+    skip("touching-glass", "mirror-refraction", 64, "--no-skip fresnel_splits"),
+    skip("nested-glass", "mirror-refraction", 64, "--no-skip surface_points"),
+    skip("cornell-box", "light-sampling", 64, "--no-skip surface_points"),
+    skip("teapot", "path-tracing", 64, "--no-skip own_triangles"),
+    skip("cornell-box", "light-sampling", 64, "--no-skip own_triangles"),
+    skip("sphereflake", "bv-tree", 64, "--no-skip texture_coordinates"),
+    skip("cornell-box", "light-sampling", 64, "--no-skip texture_coordinates"),
     pictures("whitted", "ray-casting"),
-    trees("nested-glass", "bv-tree", 64),
-    trees("whitted", "light-sampling", 64),
-    branches("whitted", "mirror-refraction"),
-    branches("nested-glass", "mirror-refraction"),
-    branches("whitted-teapot", "bv-tree"),
+    skip("nested-glass", "bv-tree", 64, "--no-skip trees_not_built"),
+    skip("whitted", "light-sampling", 64, "--no-skip trees_not_built"),
+    skip("whitted", "mirror-refraction", 128, "--cutoff 0"),
+    skip("nested-glass", "mirror-refraction", 128, "--cutoff 0"),
+    skip("whitted-teapot", "bv-tree", 128, "--cutoff 0"),
     paths("cornell-box", "path-tracing"),
     paths("cornell-box", "light-sampling"),
     paths("many-lights", "light-sampling"),
-    code("cornell-box", "rendering-equation", 16),
-    code("cornell-box", "path-tracing", 64),
-    code("cornell-box", "light-sampling", 64),
+    skip("cornell-box", "rendering-equation", 16, "--for-any-scene"),
+    skip("cornell-box", "path-tracing", 64, "--for-any-scene"),
+    skip("cornell-box", "light-sampling", 64, "--for-any-scene"),
 ];
 
-const fn volumes(scene: &'static str, samples: u32) -> Skip {
-    let name = "what volumes enclose";
-    let skip = unneeded(name, scene, "bv-tree", ("", 64), "--volume none");
-    Skip { without: ("--volume none", samples), ..skip }
-}
-
-/// Work without which the picture is the same.
-const fn unneeded(
-    name: &'static str,
+/// One that the stage makes without options.
+const fn skip(
     scene: &'static str,
     stage: &'static str,
-    with: (&'static str, u32),
+    samples: u32,
     without: &'static str,
 ) -> Skip {
-    Skip { name, scene, stage, with, without: (without, with.1), part: Part::Sample }
+    Skip { scene, stage, with: ("", samples), without: (without, samples), part: Part::Sample }
 }
 
-const fn facing_away(scene: &'static str, stage: &'static str, samples: u32) -> Skip {
-    let name = "shadow rays from which no light could come";
-    unneeded(name, scene, stage, ("", samples), "--no-skip shadow_rays_facing_away")
-}
-
-const fn nothing_to_reflect(scene: &'static str, stage: &'static str, samples: u32) -> Skip {
-    let name = "shadow rays with nothing to reflect";
-    unneeded(name, scene, stage, ("", samples), "--no-skip shadow_rays_nothing_to_reflect")
-}
-
-const fn delta(scene: &'static str, stage: &'static str, samples: u32) -> Skip {
-    let name = "shadow rays at mirrors and glass";
-    unneeded(name, scene, stage, ("", samples), "--no-skip shadow_rays_delta")
-}
-
-const fn any_hit(scene: &'static str, stage: &'static str, samples: u32) -> Skip {
-    let name = "the search after the first hit of a shadow ray";
-    unneeded(name, scene, stage, ("", samples), "--no-skip any_hit_exits")
-}
-
-const fn paths_at_black(scene: &'static str, stage: &'static str, samples: u32) -> Skip {
-    let name = "paths from black surfaces";
-    unneeded(name, scene, stage, ("", samples), "--no-skip paths_ended_by_black")
-}
-
-const fn splits(scene: &'static str, stage: &'static str, samples: u32) -> Skip {
-    let name = "splits between equal indices";
-    unneeded(name, scene, stage, ("", samples), "--no-skip fresnel_splits")
-}
-
-const fn surface_points(scene: &'static str, stage: &'static str, samples: u32) -> Skip {
-    let name = "points and normals of other hits";
-    unneeded(name, scene, stage, ("", samples), "--no-skip surface_points")
-}
-
-const fn own(scene: &'static str, stage: &'static str, samples: u32) -> Skip {
-    let name = "the triangle that a ray starts on";
-    unneeded(name, scene, stage, ("", samples), "--no-skip own_triangles")
-}
-
-const fn coordinates(scene: &'static str, stage: &'static str, samples: u32) -> Skip {
-    let name = "texture coordinates without a picture";
-    unneeded(name, scene, stage, ("", samples), "--no-skip texture_coordinates")
-}
-
-const fn trees(scene: &'static str, stage: &'static str, samples: u32) -> Skip {
-    let name = "trees over few primitives";
-    unneeded(name, scene, stage, ("", samples), "--no-skip trees_not_built")
+/// Without volumes, a few samples take long enough.
+const fn volumes(scene: &'static str, samples: u32) -> Skip {
+    Skip { without: ("--volume none", samples), ..skip(scene, "bv-tree", 64, "") }
 }
 
 const fn pictures(scene: &'static str, stage: &'static str) -> Skip {
-    let name = "pictures that are not needed";
-    let skip = unneeded(name, scene, stage, ("", 1), "--no-skip textures_not_loaded");
-    Skip { part: Part::Loading, ..skip }
+    Skip { part: Part::Loading, ..skip(scene, stage, 1, "--no-skip textures_not_loaded") }
 }
 
-const fn branches(scene: &'static str, stage: &'static str) -> Skip {
-    let name = "branches below the cutoff";
-    unneeded(name, scene, stage, ("", 128), "--cutoff 0")
-}
-
+/// Without roulette, something else has to end a path.
 const fn paths(scene: &'static str, stage: &'static str) -> Skip {
-    let name = "paths, by roulette";
-    unneeded(name, scene, stage, ("--depth 16", 64), "--depth 16 --roulette off")
-}
-
-const fn code(scene: &'static str, stage: &'static str, samples: u32) -> Skip {
-    let name = "code for what is not there";
-    unneeded(name, scene, stage, ("", samples), "--for-any-scene")
+    let without = "--depth 16 --roulette off";
+    Skip { with: ("--depth 16", 64), ..skip(scene, stage, 64, without) }
 }
 
 /// A skip with what it is worth.
@@ -256,7 +214,7 @@ pub fn worth_markdown(worths: &[Worth]) -> String {
         };
         let tests = |counts: &Counts| counts.tests("volume") + counts.tests("primitive");
         vec![
-            worth.skip.name.to_owned(),
+            worth.skip.name().to_owned(),
             worth.skip.scene.to_owned(),
             worth.skip.stage.to_owned(),
             worth.times().map_or_else(|| "–".to_owned(), grouped),
