@@ -18,7 +18,7 @@ pub struct ExactPoint {
 
 impl ExactPoint {
     /// The point of the triangle with these `corners`.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn of_triangle(corners: [Vec3; 3], barycentric: Vec2) -> Self {
         let [v0, v1, v2] = corners.map(|v| v.as_dvec3());

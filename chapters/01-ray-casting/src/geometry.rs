@@ -60,7 +60,7 @@ impl Geometry {
     }
 
     /// Where `ray` has been found to hit.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn point(&self, ray: &Ray, hit: &Hit) -> ExactPoint {
         match self.sphere(hit.primitive) {

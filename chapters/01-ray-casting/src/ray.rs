@@ -23,6 +23,9 @@ pub struct Ray {
     /// The primitive that it starts on, or [`Ray::NO_PRIMITIVE`]. A triangle is flat: a ray that
     /// starts on it does not meet it again, and no search needs to ask.
     pub origin_primitive: u32,
+    /// The triangle just before which it ends, or [`Ray::NO_PRIMITIVE`]: it does not meet that one,
+    /// either.
+    pub end_primitive: u32,
 }
 // ANCHOR_END: ray
 
@@ -34,8 +37,15 @@ impl Ray {
     #[inline]
     #[must_use]
     pub const fn new(origin: Vec3, direction: Vec3) -> Self {
-        let (extent, origin_primitive) = (Interval::FORWARD, Self::NO_PRIMITIVE);
-        Self { origin, direction, extent, origin_primitive }
+        let (extent, none) = (Interval::FORWARD, Self::NO_PRIMITIVE);
+        Self { origin, direction, extent, origin_primitive: none, end_primitive: none }
+    }
+
+    /// Whether it starts or ends on this triangle.
+    #[inline]
+    #[must_use]
+    pub const fn starts_or_ends_on(&self, triangle: u32) -> bool {
+        (triangle == self.origin_primitive) | (triangle == self.end_primitive)
     }
 
     /// Whether a hit at `t` counts. False for NaN.

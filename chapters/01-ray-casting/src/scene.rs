@@ -80,7 +80,10 @@ impl Scene {
     ///
     /// Position and normal are computed in double precision, once per nearest hit: the position is
     /// then wrong by its own rounding alone, and a spawned ray need move by hardly more than that.
-    #[inline]
+    ///
+    /// Inlined whatever its size, as is all that happens between two searches: a point that is handed
+    /// over in memory is stored in parts and read as a whole, and the processor waits for that.
+    #[inline(always)]
     #[must_use]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> SurfacePoint {
         let ExactPoint { position, extent, normal } = self.geometry.point(ray, hit);

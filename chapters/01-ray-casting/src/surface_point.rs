@@ -80,14 +80,16 @@ impl SurfacePoint {
         let origin = self.offset_origin(way);
         let path = end.offset(origin) - origin;
         let distance = path.length();
-        self.ray(origin, path / distance, distance * (1.0 - gamma(8)))
+        let ray = self.ray(origin, path / distance, distance * (1.0 - gamma(8)));
+        Ray { end_primitive: end.primitive, ..ray }
     }
 
     /// A ray from this surface, as far as `max`.
     #[inline]
     const fn ray(&self, origin: Vec3, direction: Vec3, max: f32) -> Ray {
         let extent = Interval::new(0.0, max);
-        Ray { origin, direction, extent, origin_primitive: self.hit.primitive }
+        let (origin_primitive, end_primitive) = (self.hit.primitive, Ray::NO_PRIMITIVE);
+        Ray { origin, direction, extent, origin_primitive, end_primitive }
     }
 
     /// An origin that lies surely on the side of the surface to which `direction` points.
@@ -125,22 +127,27 @@ pub struct EndPoint {
     pub position_error: Vec3,
     /// Unit normal of the surface, of either side.
     pub normal: Vec3,
+    /// The triangle that it lies on, or [`Ray::NO_PRIMITIVE`].
+    pub primitive: u32,
 }
 
 impl EndPoint {
-    /// A point computed in double precision from numbers as large as `extent`, for each axis.
+    /// A point computed in double precision from numbers as large as `extent`, for each axis. It lies
+    /// on no triangle until it is said to.
     #[inline]
     #[must_use]
     pub fn new(position: DVec3, extent: DVec3, normal: Vec3) -> Self {
         let position = position.as_vec3();
-        Self { position, position_error: rounding_box(position, extent.as_vec3()), normal }
+        let position_error = rounding_box(position, extent.as_vec3());
+        Self { position, position_error, normal, primitive: Ray::NO_PRIMITIVE }
     }
 
     /// A place that has no surface, such as a point light's.
     #[inline]
     #[must_use]
     pub const fn in_space(position: Vec3) -> Self {
-        Self { position, position_error: Vec3::ZERO, normal: Vec3::ZERO }
+        let (zero, primitive) = (Vec3::ZERO, Ray::NO_PRIMITIVE);
+        Self { position, position_error: zero, normal: zero, primitive }
     }
 
     /// The point, moved off its surface to the side of `viewer`.

@@ -34,9 +34,12 @@ pub(crate) struct Topology<V: BoundingVolume> {
     pub(crate) items: Vec<Item>,
 }
 
-/// Builds a tree of `V` over all primitives of `geometry`.
-pub(crate) fn build<V: BoundingVolume>(geometry: &Geometry, builder: Builder) -> Topology<V> {
-    let mut items = Item::all(geometry);
+/// Builds a tree of `V` over these primitives of `geometry`.
+pub(crate) fn build<V: BoundingVolume>(
+    geometry: &Geometry,
+    mut items: Vec<Item>,
+    builder: Builder,
+) -> Topology<V> {
     if items.is_empty() {
         return Topology { root: Link::NOTHING, nodes: Vec::new(), items };
     }

@@ -13,6 +13,7 @@ use crate::bounding_volume::BoundingVolume;
 use crate::builder;
 use crate::four::pop_bit;
 use crate::four_triangles::FourTriangles;
+use crate::item::Item;
 use crate::node::{Link, Node};
 use crate::split::Builder;
 use crate::stack::{Stack, Waiting};
@@ -35,7 +36,20 @@ impl<'p, V: BoundingVolume, P: Probe> BvTree<'p, V, P> {
     /// Builds a tree over all primitives of `geometry`; `probe` counts what its rays test.
     #[must_use]
     pub fn build(geometry: &Geometry, builder: Builder, probe: &'p P) -> Self {
-        let topology = builder::build::<V>(geometry, builder);
+        Self::build_over(geometry, |_| true, builder, probe)
+    }
+
+    /// Builds a tree over those primitives alone that `is_in` lets in. They keep their names.
+    #[must_use]
+    pub fn build_over(
+        geometry: &Geometry,
+        is_in: impl Fn(u32) -> bool,
+        builder: Builder,
+        probe: &'p P,
+    ) -> Self {
+        let mut items = Item::all(geometry);
+        items.retain(|item| is_in(item.primitive));
+        let topology = builder::build::<V>(geometry, items, builder);
         let mut tree = Self {
             root: topology.root,
             nodes: topology.nodes,
@@ -55,6 +69,8 @@ impl<'p, V: BoundingVolume, P: Probe> BvTree<'p, V, P> {
                 for (i, item) in items.iter().enumerate() {
                     four.set(i, &geometry.corners(item.primitive), item.primitive);
                 }
+                four.names[items.len()..].fill(items[0].primitive);
+                link.count += if four.are_flat(items.len()) { Link::FLAT } else { 0 };
                 tree.triangles.push(four);
             } else {
                 link.first = tree.spheres.len() as u32;
@@ -108,7 +124,7 @@ pub struct Shape {
     pub bytes: usize,
 }
 
-/// A scene of fewer primitives is searched faster without a tree.
+/// A scene of fewer primitives gets no tree: to search through all of them takes about as long.
 pub const TINY: u32 = 8;
 
 // ANCHOR: traversal
@@ -228,15 +244,18 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
         nearest: &mut Option<Hit>,
         tests: &mut Tests,
     ) {
-        tests.primitive += u64::from(leaf.primitives());
         if leaf.count > 0 {
             let four = &self.triangles[leaf.first as usize];
+            if self.is_own_leaf(leaf, four, &ray.ray) {
+                return;
+            }
+            tests.primitive += u64::from(leaf.primitives());
             let sheared = four.sheared(ray);
             let mut possible = sheared.possible(leaf.primitives());
             while let Some(i) = pop_bit(&mut possible) {
                 let vertices = || four.corners(i);
                 let decide = || triangle::decide(ray, sheared.corners(i), vertices, four.names[i]);
-                if self.starts_on(ray, four.names[i], decide) {
+                if self.is_own(&ray.ray, four.names[i], decide) {
                     continue;
                 }
                 if let Some(hit) = decide() {
@@ -246,6 +265,7 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
                 }
             }
         } else {
+            tests.primitive += u64::from(leaf.primitives());
             self.intersect_spheres(leaf, ray, nearest);
         }
     }
@@ -263,17 +283,25 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
         }
     }
 
-    /// Whether the ray starts on this triangle. It is flat, and what `decide` would find is nothing.
+    /// Whether the ray starts or ends on this triangle. It is flat, and what `decide` would find is
+    /// nothing.
     #[inline(always)]
-    fn starts_on(
-        &self,
-        ray: &ShearedRay,
-        triangle: u32,
-        decide: impl FnOnce() -> Option<Hit>,
-    ) -> bool {
-        let is_own = triangle == ray.ray.origin_primitive;
+    fn is_own(&self, ray: &Ray, triangle: u32, decide: impl FnOnce() -> Option<Hit>) -> bool {
+        let is_own = ray.starts_or_ends_on(triangle);
         if is_own {
             self.probe.skip(Counter::OwnTriangles, decide);
+        }
+        is_own
+    }
+
+    /// Whether the ray starts or ends on a triangle of this leaf, and all of them lie in one plane:
+    /// it then starts or ends on that plane, and meets none of them.
+    #[inline(always)]
+    fn is_own_leaf(&self, leaf: Link, four: &FourTriangles, ray: &Ray) -> bool {
+        let is_own =
+            (leaf.is_flat() & four.are_ends_of(ray)) && self.probe.skips(Counter::OwnTriangles);
+        if is_own {
+            self.probe.count(Counter::OwnTriangles, u64::from(leaf.primitives()));
         }
         is_own
     }
@@ -291,14 +319,17 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
     #[inline(always)]
     fn is_leaf_hit(&self, leaf: Link, ray: &ShearedRay, tests: &mut Tests) -> bool {
         if leaf.count > 0 {
-            tests.primitive += u64::from(leaf.primitives());
             let four = &self.triangles[leaf.first as usize];
+            if self.is_own_leaf(leaf, four, &ray.ray) {
+                return false;
+            }
+            tests.primitive += u64::from(leaf.primitives());
             let sheared = four.sheared(ray);
             let mut possible = sheared.possible(leaf.primitives());
             while let Some(i) = pop_bit(&mut possible) {
                 let vertices = || four.corners(i);
                 let decide = || triangle::decide(ray, sheared.corners(i), vertices, four.names[i]);
-                if self.starts_on(ray, four.names[i], decide) {
+                if self.is_own(&ray.ray, four.names[i], decide) {
                     continue;
                 }
                 if let Some(hit) = decide() {

@@ -1,9 +1,11 @@
 //! Up to four triangles of a leaf, side by side.
 
 use glam::Vec3;
+use ray_casting::Ray;
 use ray_casting::triangle::ShearedRay;
 
 use crate::four::{Four, larger_of, mask, mul, smaller_of, sub};
+use crate::plane::Plane;
 
 /// The triangles of a leaf. The last places may be unused.
 #[derive(Clone, Copy, Debug)]
@@ -11,7 +13,7 @@ use crate::four::{Four, larger_of, mask, mul, smaller_of, sub};
 pub(crate) struct FourTriangles {
     /// For each corner and each axis the coordinates of all four, in scene units.
     corners: [[Four; 3]; 3],
-    /// Which primitives they are.
+    /// Which primitives they are; in unused places, the first of them.
     pub(crate) names: [u32; 4],
 }
 
@@ -27,6 +29,20 @@ impl FourTriangles {
             }
         }
         self.names[i] = name;
+    }
+
+    /// Whether the first `n` lie in one plane.
+    pub(crate) fn are_flat(&self, n: usize) -> bool {
+        let plane = Plane::through(self.corners(0));
+        let mut corners = (0..n).flat_map(|i| self.corners(i));
+        corners.all(|corner| plane.sides_of(corner, 0.0) == [false; 2])
+    }
+
+    /// Whether the ray starts or ends on one of them.
+    #[inline(always)]
+    pub(crate) fn are_ends_of(&self, ray: &Ray) -> bool {
+        let is_end = |i: usize| ray.starts_or_ends_on(self.names[i]);
+        mask([is_end(0), is_end(1), is_end(2), is_end(3)]) != 0
     }
 
     /// The corners of the triangle in place `i`.
@@ -47,7 +63,10 @@ impl FourTriangles {
         let w = sub(mul(b[0], a[1]), mul(b[1], a[0]));
         let least = smaller_of(w, smaller_of(v, smaller_of(u, [0.0; 4])));
         let most = larger_of(w, larger_of(v, larger_of(u, [0.0; 4])));
-        ShearedFour { corners: [a, b, c], contradiction: mul(least, most) }
+        // A mask at once: of numbers that are kept for later, the compiler makes single ones.
+        let possible = |i: usize| least[i] >= 0.0 || most[i] <= 0.0;
+        let possible = mask([possible(0), possible(1), possible(2), possible(3)]);
+        ShearedFour { corners: [a, b, c], possible }
     }
     // ANCHOR_END: sheared
 }
@@ -71,17 +90,16 @@ fn shear(corner: &[Four; 3], ray: &ShearedRay) -> [Four; 3] {
 /// Four triangles as a ray sees them.
 pub(crate) struct ShearedFour {
     corners: [[Four; 3]; 3],
-    /// Negative where one edge says "left" and another one "right", else zero (or NaN, after an
-    /// overflow, which rules nothing out).
-    contradiction: Four,
+    /// Bit i is set unless one edge of triangle i says "left" and another one "right". An edge that
+    /// says nothing, after an overflow, rules nothing out.
+    possible: u32,
 }
 
 impl ShearedFour {
     /// Bit i is set for each of the first `n` triangles that single precision does not rule out.
     #[inline(always)]
     pub(crate) fn possible(&self, n: u32) -> u32 {
-        let out = mask(self.contradiction.map(|contradiction| contradiction < 0.0));
-        !out & ((1 << n) - 1)
+        self.possible & ((1 << n) - 1)
     }
 
     /// The sheared corners of triangle `i`. Written out, since the compiler may make calls of a `map`

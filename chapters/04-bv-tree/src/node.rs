@@ -12,7 +12,8 @@ pub(crate) struct Link {
     /// Where it is: a node, a leaf's group of triangles, or the first of a leaf's spheres, each in
     /// the array of its kind.
     pub(crate) first: u32,
-    /// How many primitives: n triangles, −n spheres; 0 for nothing, [`Link::INNER`] for a node.
+    /// How many primitives: n triangles, [`Link::FLAT`] more if they lie in one plane, −n spheres; 0
+    /// for nothing, [`Link::INNER`] for a node.
     ///
     /// A leaf holds primitives of one kind, so that the loop over them has no branch on the kind.
     pub(crate) count: i32,
@@ -22,6 +23,9 @@ pub(crate) struct Link {
 impl Link {
     /// The count of a link that leads to a node.
     const INNER: i32 = i32::MAX;
+
+    /// What is added to the count of triangles that lie in one plane: more than a leaf holds.
+    pub(crate) const FLAT: i32 = 8;
 
     /// Leads nowhere.
     pub(crate) const NOTHING: Self = Self { first: 0, count: 0 };
@@ -46,7 +50,13 @@ impl Link {
     /// How many primitives a leaf holds.
     #[inline]
     pub(crate) const fn primitives(self) -> u32 {
-        self.count.unsigned_abs()
+        self.count.unsigned_abs() % Self::FLAT as u32
+    }
+
+    /// Whether all primitives of a leaf are triangles that lie in one plane.
+    #[inline]
+    pub(crate) const fn is_flat(self) -> bool {
+        self.count > Self::FLAT
     }
 
     /// The places of a leaf's primitives, if they lie one by one.

@@ -43,13 +43,13 @@ impl SlabQuery {
     #[inline(always)]
     #[must_use]
     pub fn new(origin: f32, direction: f32, padding: f32) -> Self {
-        // A zero of either sign counts as positive.
-        let inverse = if direction == 0.0 { f32::INFINITY } else { 1.0 / direction };
+        // A zero of either sign counts as positive: −0 + 0 = 0.
+        let inverse = 1.0 / (direction + 0.0);
         let padding = (padding + gamma(2) * origin.abs() + ROUNDING_NEAR_ZERO).copysign(inverse);
         Self {
             origin_near: origin + padding,
             origin_far: origin - padding,
-            inverse_near: inverse.clamp(-f32::MAX, f32::MAX) * (1.0 - gamma(6)),
+            inverse_near: smaller(larger(inverse, -f32::MAX), f32::MAX) * (1.0 - gamma(6)),
             inverse_far: inverse * (1.0 + gamma(6)),
         }
     }

@@ -1,6 +1,7 @@
 //! Where to divide a range of primitives: at the median, or where a ray would pay least.
 
 use clap::ValueEnum;
+use ray_casting::Interval;
 use rayon::prelude::{ParallelIterator, ParallelSlice};
 
 use crate::aabb::Aabb;
@@ -48,11 +49,10 @@ fn split_at_median(items: &mut [Item]) -> Option<Split> {
     if items.len() <= LEAF {
         return None;
     }
-    let centers = center_bounds(items);
-    let size = centers.max - centers.min;
-    let axis = if size.x >= size.y && size.x >= size.z {
+    let [x, y, z, _] = spreads(items).map(|spread| spread.max - spread.min);
+    let axis = if x >= y && x >= z {
         0
-    } else if size.y >= size.z {
+    } else if y >= z {
         1
     } else {
         2
@@ -65,20 +65,32 @@ fn split_at_median(items: &mut [Item]) -> Option<Split> {
     Some(Split::at(middle, items))
 }
 
-/// The box around the (doubled) centres.
-fn center_bounds(items: &[Item]) -> Aabb {
-    let add = |all: Aabb, item: &Item| {
-        let center = item.doubled_center();
-        Aabb { min: all.min.min(center), max: all.max.max(center) }
-    };
-    if items.len() < PARALLEL {
-        return items.iter().fold(Aabb::EMPTY, add);
-    }
-    let chunks = items.par_chunks(PARALLEL).map(|chunk| chunk.iter().fold(Aabb::EMPTY, add));
-    chunks.reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
+/// By what items are told apart: twice the middle of their box, for each axis, and how large it is,
+/// the square root of its surface.
+#[inline]
+fn marks(item: &Item) -> [f32; 4] {
+    let [x, y, z] = item.doubled_center().to_array();
+    [x, y, z, item.bounds.surface_area().sqrt()]
 }
 
-/// Into how many equal parts the spread of the centres is divided, along each axis.
+/// From the smallest to the largest of each mark.
+fn spreads(items: &[Item]) -> [Interval; 4] {
+    let none = [Interval::new(f32::INFINITY, f32::NEG_INFINITY); 4];
+    let add = |a: Interval, b: Interval| Interval::new(a.min.min(b.min), a.max.max(b.max));
+    let add_item = |mut all: [Interval; 4], item: &Item| {
+        for (all, mark) in all.iter_mut().zip(marks(item)) {
+            *all = add(*all, Interval::new(mark, mark));
+        }
+        all
+    };
+    if items.len() < PARALLEL {
+        return items.iter().fold(none, add_item);
+    }
+    let chunks = items.par_chunks(PARALLEL).map(|chunk| chunk.iter().fold(none, add_item));
+    chunks.reduce(|| none, |a, b| [0, 1, 2, 3].map(|i| add(a[i], b[i])))
+}
+
+/// Into how many equal parts the spread of each mark is divided.
 const BINS: usize = 32;
 
 /// Items to a task.
@@ -97,9 +109,9 @@ struct Bin {
     count: u32,
 }
 
-type Bins = [[Bin; BINS]; 3];
+type Bins = [[Bin; BINS]; 4];
 
-const NO_BINS: Bins = [[Bin { bounds: Aabb::EMPTY, count: 0 }; BINS]; 3];
+const NO_BINS: Bins = [[Bin { bounds: Aabb::EMPTY, count: 0 }; BINS]; 4];
 
 // ANCHOR: split_by_area
 /// The surface area heuristic \[GoldsmithSalmon87], over bins \[Wald07].
@@ -113,50 +125,50 @@ const NO_BINS: Bins = [[Bin { bounds: Aabb::EMPTY, count: 0 }; BINS]; 3];
 /// ```
 ///
 /// where g = ⌈n/4⌉ is how many leaves n primitives fill at least. Only splits between bins are
-/// tried, on all three axes.
+/// tried: along all three axes, and between small primitives and large ones. What stands in a room
+/// cannot be told from its walls by where it is: the box around one wall and a table is that of the
+/// room.
 fn split_by_area(whole: &Aabb, items: &mut [Item]) -> Option<Split> {
     let n = items.len();
     if n < 2 {
         return None;
     }
-    let binning = Binning::new(&center_bounds(items));
+    let binning = Binning::new(spreads(items));
     let bins = binning.fill(items);
-    let best = best_plane(&bins);
-    let Some(plane) = best else { return split_at_median(items) };
+    let best = best_border(&bins);
+    let Some(border) = best else { return split_at_median(items) };
     // Areas may overflow: a cost of ∞ / ∞ is no reason for a leaf.
-    let split_cost = 1.0 + LEAF_COST * plane.cost / whole.surface_area();
+    let split_cost = 1.0 + LEAF_COST * border.cost / whole.surface_area();
     if n <= LEAF && split_cost >= LEAF_COST {
         return None;
     }
-    let left_count = partition(items, |item| binning.bin(item)[plane.axis] < plane.bin);
-    Some(Split { left_count, left: plane.left, right: plane.right })
+    let left_count = partition(items, |item| binning.bin(item)[border.mark] < border.bin);
+    Some(Split { left_count, left: border.left, right: border.right })
 }
 // ANCHOR_END: split_by_area
 
-/// Maps centres to bins.
+/// Maps marks to bins.
 struct Binning {
-    min: [f32; 3],
-    scale: [f32; 3],
+    min: [f32; 4],
+    scale: [f32; 4],
 }
 
 impl Binning {
-    /// An axis along which no two centres differ has the scale 0: all items fall into its first
-    /// bin.
-    fn new(centers: &Aabb) -> Self {
-        let size = (centers.max - centers.min).to_array();
+    /// A mark in which no two items differ has the scale 0: all of them fall into its first bin.
+    fn new(spreads: [Interval; 4]) -> Self {
         Self {
-            min: centers.min.to_array(),
-            scale: size.map(|s| {
-                let scale = BINS as f32 / s;
+            min: spreads.map(|spread| spread.min),
+            scale: spreads.map(|spread| {
+                let scale = BINS as f32 / (spread.max - spread.min);
                 if scale.is_finite() { scale } else { 0.0 }
             }),
         }
     }
 
     #[inline]
-    fn bin(&self, item: &Item) -> [usize; 3] {
-        let center = item.doubled_center().to_array();
-        [0, 1, 2].map(|i| (((center[i] - self.min[i]) * self.scale[i]) as usize).min(BINS - 1))
+    fn bin(&self, item: &Item) -> [usize; 4] {
+        let marks = marks(item);
+        [0, 1, 2, 3].map(|i| (((marks[i] - self.min[i]) * self.scale[i]) as usize).min(BINS - 1))
     }
 
     fn fill(&self, items: &[Item]) -> Bins {
@@ -189,9 +201,10 @@ impl Binning {
     }
 }
 
-/// A plane between two bins.
-struct Plane {
-    axis: usize,
+/// A border between two bins.
+struct Border {
+    /// Of which mark.
+    mark: usize,
     /// The first bin on its right.
     bin: usize,
     /// a_left g_left + a_right g_right.
@@ -200,10 +213,10 @@ struct Plane {
     right: Aabb,
 }
 
-/// The cheapest plane with items on both sides, the first of equally cheap ones.
-fn best_plane(bins: &Bins) -> Option<Plane> {
-    let mut best: Option<Plane> = None;
-    for (axis, bins) in bins.iter().enumerate() {
+/// The cheapest border with items on both sides, the first of equally cheap ones.
+fn best_border(bins: &Bins) -> Option<Border> {
+    let mut best: Option<Border> = None;
+    for (mark, bins) in bins.iter().enumerate() {
         let mut right = [(Aabb::EMPTY, 0); BINS];
         let mut sum = (Aabb::EMPTY, 0);
         for (bin, right) in bins.iter().zip(&mut right).rev() {
@@ -220,7 +233,7 @@ fn best_plane(bins: &Bins) -> Option<Plane> {
             let cost =
                 left.0.surface_area() * leaves(left.1) + right.0.surface_area() * leaves(right.1);
             if best.as_ref().is_none_or(|best| cost < best.cost) {
-                best = Some(Plane { axis, bin, cost, left: left.0, right: right.0 });
+                best = Some(Border { mark, bin, cost, left: left.0, right: right.0 });
             }
         }
     }

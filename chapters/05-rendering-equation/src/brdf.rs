@@ -32,7 +32,7 @@ pub struct Brdf {
 impl Brdf {
     // ANCHOR: eval
     /// f(ωₒ, ωᵢ), in 1/sr: the sum of the matte part and the highlight above the surface, 0 below.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn eval(&self, wi: Vec3) -> Rgb {
         if !self.is_above(wi) {
@@ -75,7 +75,7 @@ impl Brdf {
     ///
     /// does not depend on the direction at all: it is not even computed. A surface with a highlight
     /// draws from the one or the other part by chance, and divides by the density of the mixture.
-    #[inline]
+    #[inline(always)]
     pub fn sample(&self, density: Density, sampler: &mut Sampler) -> Option<Scattered> {
         let wi = match (density, self.lobe) {
             (Density::Uniform, _) => {
@@ -102,7 +102,7 @@ impl Brdf {
     }
 
     /// Density with which [`Brdf::sample`] draws `wi`, in 1/sr.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn pdf(&self, density: Density, wi: Vec3) -> f32 {
         if !self.is_above(wi) {

@@ -146,10 +146,12 @@ fn equal_and_collinear_centres_make_no_deep_tree(trial: &mut Trial) {
     for _ in 0..trial.rays.div_ceil(PER_TREE) {
         let random = &mut trial.random;
         let n = 2 + random.below(199);
-        let is_concentric = random.below(2) == 0;
-        let geometry = aligned(n, is_concentric, random);
+        let how =
+            [Aligned::Equal, Aligned::Concentric, Aligned::Scattered][random.below(3) as usize];
+        let geometry = aligned(n, how, random);
         let tree = some_tree(&geometry, random);
-        let limit = if is_concentric { n.ilog2() as usize + 2 } else { DEEPEST };
+        // Of boxes that nothing tells apart, the tree halves the number at every step.
+        let limit = if how == Aligned::Equal { n.ilog2() as usize + 2 } else { DEEPEST };
         trial.require(tree.shape.depth <= limit, || {
             format!("{}: {:?} over {n} triangles, at most {limit}", tree.name, tree.shape)
         });
@@ -160,12 +162,25 @@ fn equal_and_collinear_centres_make_no_deep_tree(trial: &mut Trial) {
     }
 }
 
-/// Triangles of any size whose boxes have their middles at the origin, or else anywhere on a line.
-fn aligned(n: u64, is_concentric: bool, random: &mut Random) -> Geometry {
+/// Where the middles of boxes are, and how large these are.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Aligned {
+    /// All at the origin, and of one size.
+    Equal,
+    /// All at the origin, of any size.
+    Concentric,
+    /// Anywhere on a line, of any size.
+    Scattered,
+}
+
+/// Triangles whose boxes have their middles on a line.
+fn aligned(n: u64, how: Aligned, random: &mut Random) -> Geometry {
     let way = random.direction();
+    let only = random.magnitude(-3.0, 3.0) * random.direction();
     let triangle = |random: &mut Random| {
-        let far = if is_concentric { 0.0 } else { random.magnitude(-18.0, 18.0) };
+        let far = if how == Aligned::Scattered { random.magnitude(-18.0, 18.0) } else { 0.0 };
         let a = random.magnitude(-3.0, 3.0) * random.direction();
+        let a = if how == Aligned::Equal { only } else { a };
         let b = a * random.in_cube();
         // a and −a are opposite corners of the box, b lies within.
         [a, -a, b].map(|p| (far * way).as_vec3() + p.as_vec3())

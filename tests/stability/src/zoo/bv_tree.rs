@@ -10,6 +10,13 @@ const TREE: &str = "chapters/04-bv-tree/src/bv_tree.rs";
 /// Boxes against linear search, bit for bit.
 const BOXES: Test = Test::of(PACKAGE, "conformance", "boxes_agree_with_linear_search");
 
+/// Walks from surface to surface, against linear search.
+const LEAVING: Test = Test::of(
+    PACKAGE,
+    "trees",
+    "a_ray_that_leaves_a_triangle_meets_what_the_search_through_everything_meets",
+);
+
 pub(super) const MUTANTS: &[Mutant] = &[
     Mutant {
         name: "of equally near triangles the last one wins",
@@ -22,14 +29,26 @@ pub(super) const MUTANTS: &[Mutant] = &[
     Mutant {
         name: "a ray leaves out the triangle beside its own as well",
         lesson: "only the triangle itself is flat: its neighbours may be met",
-        file: TREE,
-        old: "triangle == ray.ray.origin_primitive",
-        new: "triangle | 1 == ray.ray.origin_primitive | 1",
-        test: Test::of(
-            PACKAGE,
-            "trees",
-            "a_ray_that_leaves_a_triangle_meets_what_the_search_through_everything_meets",
-        ),
+        file: "chapters/01-ray-casting/src/ray.rs",
+        old: "(triangle == self.origin_primitive)",
+        new: "(triangle | 1 == self.origin_primitive | 1)",
+        test: LEAVING,
+    },
+    Mutant {
+        name: "every leaf passes for flat",
+        lesson: "in a leaf that is not flat, a ray may lead from one triangle to the next",
+        file: "chapters/04-bv-tree/src/four_triangles.rs",
+        old: "let mut corners = (0..n)",
+        new: "let mut corners = (0..n.min(1))",
+        test: LEAVING,
+    },
+    Mutant {
+        name: "a needle's plane reaches as far as its roundings",
+        lesson: "the less a plane is known, the less may be taken for a part of it",
+        file: "chapters/04-bv-tree/src/plane.rs",
+        old: "let beside = DOUBLE * n * (way.length() + r);",
+        new: "let beside = DOUBLE * (way.length() + r);",
+        test: Test::lib(PACKAGE, "what_lies_beside_a_needle_is_never_taken_for_a_part_of_it"),
     },
     Mutant {
         name: "the slab test with min and max",
@@ -63,7 +82,7 @@ pub(super) const MUTANTS: &[Mutant] = &[
         name: "an infinite reciprocal enters the slab test",
         lesson: "1/0 and 1/1e-39 are both infinite, and only one of them is a ray along the slab",
         file: SLAB,
-        old: "inverse.clamp(-f32::MAX, f32::MAX)",
+        old: "smaller(larger(inverse, -f32::MAX), f32::MAX)",
         new: "inverse",
         test: Test::of(
             PACKAGE,
