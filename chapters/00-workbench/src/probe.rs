@@ -101,8 +101,11 @@ pub enum Counter {
     /// Boundaries crossed straight on, because the index of refraction is the same on both sides:
     /// nothing was split in two by Fresnel's and Snell's equations.
     FresnelSplits,
-    /// Triangles that were not decided on, because the ray starts on them and they are flat.
+    /// Triangles that were not decided on, because the ray starts or ends on them and they are flat;
+    /// with them, those in the same leaf and the same plane, which were not tested.
     OwnTriangles,
+    /// Shadow rays that did not look for the walls around the scene, nor for its only lamp.
+    WallsLeftOut,
     /// Under `--error`: samples by which pixels hold fewer than the average, because it is quiet
     /// around them.
     SamplesNotNeeded,
@@ -110,7 +113,7 @@ pub enum Counter {
 
 impl Counter {
     /// Every counter, in the order of the statistics file.
-    pub const ALL: [Self; 22] = [
+    pub const ALL: [Self; 23] = [
         Self::CameraRays,
         Self::ShadowRays,
         Self::ReflectionRays,
@@ -132,6 +135,7 @@ impl Counter {
         Self::TreesNotBuilt,
         Self::FresnelSplits,
         Self::OwnTriangles,
+        Self::WallsLeftOut,
         Self::SamplesNotNeeded,
     ];
 
@@ -160,6 +164,7 @@ impl Counter {
             Self::TreesNotBuilt => ("skipped", "trees_not_built"),
             Self::FresnelSplits => ("skipped", "fresnel_splits"),
             Self::OwnTriangles => ("skipped", "own_triangles"),
+            Self::WallsLeftOut => ("skipped", "walls_left_out"),
             Self::SamplesNotNeeded => ("skipped", "samples_not_needed"),
         }
     }

@@ -98,7 +98,7 @@ fn statistics_go_to_a_file_or_to_standard_output() {
                     "paths_ended_by_depth": 0, "paths_ended_by_black": 0, "shadow_rays_delta": 0,
                     "any_hit_exits": 0, "surface_points": 0, "texture_coordinates": 0,
                     "textures_not_loaded": 0, "trees_not_built": 0, "fresnel_splits": 0,
-                    "own_triangles": 0, "samples_not_needed": 0},
+                    "own_triangles": 0, "walls_left_out": 0, "samples_not_needed": 0},
         "non_finite_samples": 0, "estimated_error": null
     });
     assert_eq!(file, expected, "the statistics");

@@ -61,11 +61,11 @@ pub struct Code {
 /// Five things that a scene may have or not would make 32 programs. Three are enough: for scenes with
 /// nothing special, for those without glass, and for all.
 ///
-/// On `cornell-box` the code for matte surfaces executes 8.9 % fewer instructions than that for any
-/// scene in this chapter, 7.8 % in chapter 6 and 4.6 % in chapter 7 (`--for-any-scene`, with 32 × 32
+/// On `cornell-box` the code for matte surfaces executes 14.2 % fewer instructions than that for any
+/// scene in this chapter, 10.2 % in chapter 6 and 9.3 % in chapter 7 (`--for-any-scene`, with 32 × 32
 /// pixels, 16 samples, depth 8 and one thread, under `valgrind --tool=callgrind`). It is as fast as if
-/// there were no other: with `Materials::at` that knows nothing but k_d, the counts are 0.0 %, 0.1 %
-/// and 0.1 % smaller (depth 4).
+/// there were no other: with `Materials::at` that knows nothing but k_d, the counts differ by 0.1 %,
+/// 0.2 % and 0.0 % (depth 4; in chapter 6 they are larger).
 pub trait Has: Sync + 'static {
     /// Boundaries of glass.
     const GLASS: bool;

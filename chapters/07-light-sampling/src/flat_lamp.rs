@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 use glam::{DVec3, Vec3};
 use ray_casting::math::gamma;
-use ray_casting::{EndPoint, Rgb};
+use ray_casting::{EndPoint, Ray, Rgb};
 use rendering_equation::measures;
 
 use crate::light::LightSample;
@@ -50,6 +50,9 @@ pub struct FlatLamp {
     near: f32,
     /// Lₑ, in W m⁻² sr⁻¹.
     pub radiance: Rgb,
+    /// The triangle of the scene that it is, or the first of the two; [`Ray::NO_PRIMITIVE`] if it is
+    /// none.
+    primitive: u32,
 }
 
 impl FlatLamp {
@@ -111,7 +114,15 @@ impl FlatLamp {
             radius,
             near: reach * reach,
             radiance,
+            primitive: Ray::NO_PRIMITIVE,
         }
+    }
+
+    /// The same lamp, known to be this triangle of the scene, or this one and another in its plane.
+    #[must_use]
+    pub const fn of_primitive(mut self, primitive: u32) -> Self {
+        self.primitive = primitive;
+        self
     }
 
     /// In squared scene units.
@@ -131,7 +142,7 @@ impl FlatLamp {
     /// From afar, a uniform point: b₁ and b₂ are its way along the two edges. In a triangle, lines
     /// parallel to an edge get shorter in proportion to their distance from it; the root makes the
     /// long ones as much more likely. From near, a uniform direction. Density: [`FlatLamp::pdf`].
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn sample(&self, viewer: Vec3, u: [f32; 2]) -> Option<LightSample> {
         if self.is_near(viewer) {
@@ -185,6 +196,7 @@ impl FlatLamp {
     ///
     /// A parallelogram is two triangles, chosen in proportion to their solid angles. The direction is
     /// met with the lamp's plane; what rounding put outside the outline is moved back to its edge.
+    #[inline(never)]
     fn sample_solid_angle(&self, viewer: Vec3, u: [f32; 2]) -> Option<LightSample> {
         let halves = self.halves(viewer);
         let solid_angles = halves.map(|half| half.map_or(0.0, |half| half.solid_angle));
@@ -232,7 +244,8 @@ impl FlatLamp {
     fn point(&self, b1: f64, b2: f64) -> EndPoint {
         let [e1, e2] = self.edges;
         let end = EndPoint::new(self.corner + b1 * e1 + b2 * e2, self.extent, self.normal);
-        EndPoint { position_error: end.position_error + self.bend, ..end }
+        let position_error = end.position_error + self.bend;
+        EndPoint { position_error, primitive: self.primitive, ..end }
     }
 }
 

@@ -5,6 +5,7 @@
 //! against each other ([`LightTracer`], [`Heuristic`]). Relies on chapter 6 for the path and its
 //! ending, and on what chapter 6 relies on.
 
+mod between;
 mod choice;
 mod discrete;
 mod flat_lamp;
@@ -17,6 +18,7 @@ mod sphere_lamp;
 mod spherical_triangle;
 mod stage;
 
+pub use between::between;
 pub use choice::Choice;
 pub use discrete::Discrete;
 pub use flat_lamp::{FlatLamp, Measure};

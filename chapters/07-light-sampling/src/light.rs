@@ -58,7 +58,7 @@ impl LightSample {
 
 impl Light {
     /// Draws a direction from `surface` toward the light; `None` if nothing can arrive.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn sample(&self, surface: &SurfacePoint, u: [f32; 2]) -> Option<LightSample> {
         match self {

@@ -74,10 +74,16 @@ impl Lights {
         &self.lights
     }
 
+    /// Whether this primitive is a lamp, or a half of one.
+    #[must_use]
+    pub fn is_lamp(&self, primitive: u32) -> bool {
+        self.lamps.binary_search_by_key(&primitive, |(lamp, _)| *lamp).is_ok()
+    }
+
     // ANCHOR: sample
     /// Chooses a light and draws a direction toward it, with the density of both together; `None`
     /// if nothing can arrive from there, or if there is no light.
-    #[inline]
+    #[inline(always)]
     pub fn sample(&self, surface: &SurfacePoint, sampler: &mut Sampler) -> Option<LightSample> {
         let (number, pmf) = match self.lights.len() {
             0 => return None,
@@ -167,11 +173,12 @@ fn lamp(scene: &Scene, primitive: u32, measure: Measure) -> (Option<Light>, u32)
     {
         let corners = [a, b, c, f].map(|vertex| geometry.vertices[vertex as usize]);
         if let Some(quad) = FlatLamp::parallelogram(corners, radiance, measure) {
-            return (Some(Light::Flat(quad)), 2);
+            return (Some(Light::Flat(quad.of_primitive(primitive))), 2);
         }
     }
     let corners = geometry.corners(primitive);
-    (Some(Light::Flat(FlatLamp::triangle(corners, radiance, measure))), 1)
+    let triangle = FlatLamp::triangle(corners, radiance, measure);
+    (Some(Light::Flat(triangle.of_primitive(primitive))), 1)
 }
 
 /// The radius of a sphere around everything, in scene units; 1 if there is nothing.

@@ -1,6 +1,7 @@
 //! The path that asks the lamps at every hit.
 
 use blinn_phong::Picture;
+use bv_tree::{Aabb, Builder, BvTree};
 use glam::Vec3;
 use mirror_refraction::{Boundaries, Media, mirror_direction, split};
 use path_tracing::Ending;
@@ -8,6 +9,7 @@ use ray_casting::{Hit, Intersect, Ray, Rgb, Scene, SurfacePoint};
 use rendering_equation::{Brdf, Density, Has, Material, Materials};
 use workbench::{Counter, Probe, Sampler};
 
+use crate::between::between;
 use crate::choice::Choice;
 use crate::flat_lamp::Measure;
 use crate::heuristic::{Estimator, Heuristic};
@@ -49,6 +51,8 @@ pub struct LightTracer<'a, G, P, H> {
     materials: Materials<'a, H>,
     lights: Lights,
     geometry: &'a G,
+    /// What can throw a shadow, if that is not everything.
+    between: Option<BvTree<'a, Aabb, P>>,
     probe: &'a P,
     settings: Settings,
     boundaries: Boundaries<'a>,
@@ -77,10 +81,27 @@ impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
         let at_eye = boundaries.media_at_eye(geometry);
         let materials = Materials::new(scene, pictures);
         let lights = Lights::with(scene, settings.choice, settings.measure);
+        let asks = settings.estimator != Estimator::Scatter;
+        let between = if asks { between(scene, &lights) } else { None };
+        let between = between.map(|some| {
+            let is_one = |primitive| some.binary_search(&primitive).is_ok();
+            BvTree::build_over(&scene.geometry, is_one, Builder::Sah, probe)
+        });
         // Before every event and after the last one, a ray may cross boundaries that are none.
         let straight = boundaries.most_crossings().saturating_add(1);
         let longest = settings.ending.depth.saturating_add(1).saturating_mul(straight);
-        Self { scene, materials, lights, geometry, probe, settings, boundaries, at_eye, longest }
+        Self {
+            scene,
+            materials,
+            lights,
+            geometry,
+            between,
+            probe,
+            settings,
+            boundaries,
+            at_eye,
+            longest,
+        }
     }
 
     // ANCHOR: incident_radiance
@@ -255,10 +276,18 @@ impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
         }
     }
 
-    /// V, by a shadow ray.
+    /// V, by a shadow ray. One that ends does not pass through the walls around the scene, nor through
+    /// its only lamp, and need not look for them.
     fn is_visible(&self, shadow_ray: &Ray) -> bool {
         self.probe.count(Counter::ShadowRays, 1);
-        !self.geometry.occluded(shadow_ray)
+        let ends = shadow_ray.extent.max < f32::INFINITY;
+        match &self.between {
+            Some(between) if ends && self.probe.skips(Counter::WallsLeftOut) => {
+                self.probe.count(Counter::WallsLeftOut, 1);
+                !between.occluded(shadow_ray)
+            }
+            _ => !self.geometry.occluded(shadow_ray),
+        }
     }
 
     /// w_s of light that the path has run into. `pdf` is the density with which light sampling would

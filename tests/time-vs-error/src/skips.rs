@@ -46,7 +46,8 @@ impl Skip {
             "--no-skip paths_ended_by_black" => "paths from black surfaces",
             "--no-skip fresnel_splits" => "splits between equal indices",
             "--no-skip surface_points" => "points and normals of other hits",
-            "--no-skip own_triangles" => "the triangle that a ray starts on",
+            "--no-skip own_triangles" => "the triangles that a ray starts and ends on",
+            "--no-skip walls_left_out" => "walls and the only lamp, by shadow rays",
             "--no-skip texture_coordinates" => "texture coordinates without a picture",
             "--no-skip trees_not_built" => "trees over few primitives",
             "--for-any-scene" => "code for what is not there",
@@ -69,7 +70,7 @@ impl Skip {
 }
 
 /// Every skip that can be switched off, on scenes in which it has something to do.
-pub const SKIPS: [Skip; 31] = [
+pub const SKIPS: [Skip; 33] = [
     volumes("teapot", 2),
     volumes("whitted-teapot", 1),
     volumes("many-lights", 4),
@@ -87,6 +88,8 @@ pub const SKIPS: [Skip; 31] = [
     skip("cornell-box", "light-sampling", 64, "--no-skip surface_points"),
     skip("teapot", "path-tracing", 64, "--no-skip own_triangles"),
     skip("cornell-box", "light-sampling", 64, "--no-skip own_triangles"),
+    skip("cornell-box", "light-sampling", 64, "--no-skip walls_left_out"),
+    skip("cornell-spheres", "light-sampling", 64, "--no-skip walls_left_out"),
     skip("sphereflake", "bv-tree", 64, "--no-skip texture_coordinates"),
     skip("cornell-box", "light-sampling", 64, "--no-skip texture_coordinates"),
     pictures("whitted", "ray-casting"),

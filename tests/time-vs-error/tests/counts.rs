@@ -57,10 +57,9 @@ fn a_skip_saves_work_and_not_the_picture() {
 }
 
 /// Options that switch off skips of calculations, which are no tests.
-const SAVES_NO_TEST: [&str; 6] = [
+const SAVES_NO_TEST: [&str; 5] = [
     "--for-any-scene",
     "--no-skip fresnel_splits",
-    "--no-skip own_triangles",
     "--no-skip surface_points",
     "--no-skip texture_coordinates",
     "--no-skip textures_not_loaded",

@@ -243,6 +243,19 @@ fn a_black_sphere_takes_a_quarter_of_the_sky() {
     assert_irradiance("E8", &scene, 200_000, 0.75 * PI);
 }
 
+/// A black wall without an end, behind the receiver, hides half of the sky. Everything lies on one
+/// side of it, but the sky is no thing: a ray toward it does not end.
+#[test]
+fn a_wall_hides_the_sky_behind_it() {
+    let mut scene = receiver([matte(0.0)]);
+    scene.background = Vec3::ONE;
+    let far = 1e4;
+    let corners = [(-far, -far), (far, -far), (far, far), (-far, far)];
+    add_quad(&mut scene, corners.map(|(x, y)| vec3(x, y, -0.01)), 1);
+    // From a height above the wall's lower end, a hundredth before it.
+    assert_irradiance("wall", &scene, 200_000, 0.5 * PI);
+}
+
 /// The furnace of the open kind: with cosine sampling alone, there is nothing left to chance.
 #[test]
 fn in_an_even_sky_every_estimator_is_exact_without_variance() {

@@ -41,12 +41,14 @@ fn assert_counts(name: &str, scene: &Scene, settings: Settings, expected: &[(Cou
 
 const ALL: u64 = N as u64;
 
-/// Every path: one shadow ray from the floor, one ray that is scattered into the void.
+/// Every path: one shadow ray from the floor, one ray that is scattered into the void. The floor is a
+/// wall, and throws no shadow.
 #[test]
 fn one_shadow_ray_leaves_each_hit() {
     let mut scene = floor(matte(0.5));
     scene.lights.push(point_light(vec3(1.0, 2.0, 1.0), Rgb::ONE));
-    let counts = [(Counter::ShadowRays, ALL), (Counter::ScatterRays, ALL)];
+    let counts = [Counter::ShadowRays, Counter::WallsLeftOut, Counter::ScatterRays];
+    let counts = counts.map(|counter| (counter, ALL));
     for estimator in [Estimator::Light, Estimator::Mis] {
         assert_counts("above", &scene, limited(estimator, 9), &counts);
     }

@@ -1,5 +1,6 @@
 //! Lamps as distributions of directions, and the rays that ask for them.
 
+mod between;
 mod choices;
 mod cones;
 mod densities;

@@ -30,6 +30,7 @@ const KEYS: [(&str, &[&str]); 4] = [
             "texture_coordinates",
             "textures_not_loaded",
             "trees_not_built",
+            "walls_left_out",
         ],
     ),
 ];

@@ -30,6 +30,16 @@ const RICH: &str = "[[point_light]]\nposition = [-3, 4, 5]\nintensity = [0, 20, 
     [[quad]]\nvertices = [[-1, 3, -1], [1, 3, -1], [1, 3, 1], [-1, 3, 1]]\nmaterial = 'lamp'\n\
     [[quad]]\nvertices = [[-1, 0, -3], [-1, 2, -3], [1, 2, -3], [1, 0, -3]]\nmaterial = 'lamp'\n";
 
+/// Two walls, a lamp, and something that throws a shadow.
+const WALLED: &str = "[materials.lamp]\nke = [3, 4, 5]\n\
+    [[quad]]\nvertices = [[-4, -1, 4], [4, -1, 4], [4, -1, -4], [-4, -1, -4]]\n\
+    material = 'white'\n\
+    [[quad]]\nvertices = [[-4, -1, -4], [4, -1, -4], [4, 7, -4], [-4, 7, -4]]\n\
+    material = 'white'\n\
+    [[quad]]\nvertices = [[-1, 3, -1], [1, 3, -1], [1, 3, 1], [-1, 3, 1]]\nmaterial = 'lamp'\n\
+    [[sphere]]\ncenter = [0, 0, 0]\nradius = 0.6\nmaterial = 'white'\n\
+    [[sphere]]\ncenter = [1.5, 0, 0]\nradius = 0.6\nmaterial = 'white'\n";
+
 /// The balls of the rich scene: x, z and material.
 const BALLS: [(f32, f32, &str); 8] = [
     (-1.5, 0.0, "white"),
@@ -53,6 +63,7 @@ fn folder() -> Folder {
     let folder = Folder::with(&[
         ("rich.toml", &scene(&format!("{RICH}{balls}"))),
         ("tiny.toml", &scene(&tiny)),
+        ("walled.toml", &scene(WALLED)),
     ]);
     let picture = Image::from_srgb8(1, 1, &[0, 10, 118]);
     picture.save(&folder.path("whole.png")).expect("a picture is written");
@@ -164,12 +175,32 @@ fn what_is_calculated_for_nothing_changes_no_other_count() {
     let pairs = shading.clone().chain(["ray-casting"]).map(|stage| (stage, every[0]));
     let pairs = pairs.chain(shading.map(|stage| (stage, "texture_coordinates")));
     let pairs = pairs.chain(REFRACTING.map(|stage| (stage, "fresnel_splits")));
-    for (stage, key) in pairs.chain(WITH_TREE.map(|stage| (stage, "own_triangles"))) {
+    for (stage, key) in pairs {
         let [with, mut without] = compare(&folder, stage, "rich.toml", key);
         without.skipped.insert(key.to_owned(), with.skipped[key]);
         assert_eq!(with.skipped, without.skipped, "{stage}, {key}: what else is skipped");
         let work = [&with, &without].map(|work| (&work.rays, work.tests()));
         assert_eq!(work[0], work[1], "{stage}, {key}: rays and tests");
+    }
+}
+
+/// Nothing is found where these do not look.
+#[test]
+fn triangles_that_cannot_be_met_are_tested_for_nothing() {
+    let folder = folder();
+    let own = WITH_TREE.map(|stage| (stage, "rich.toml", "own_triangles"));
+    let walls = ("light-sampling", "walled.toml", "walls_left_out");
+    for (stage, scene, key) in own.into_iter().chain([walls]) {
+        let [with, mut without] = compare(&folder, stage, scene, key);
+        without.skipped.insert(key.to_owned(), with.skipped[key]);
+        for other in ["own_triangles", "surface_points", "any_hit_exits"] {
+            // What is met first, and how often, depends on where one looks.
+            without.skipped.insert(other.to_owned(), with.skipped[other]);
+        }
+        assert_eq!(with.skipped, without.skipped, "{stage}, {key}: what else is skipped");
+        assert_eq!(with.rays, without.rays, "{stage}, {key}: rays");
+        let [few, many] = [with.tests(), without.tests()];
+        assert!(few < many, "{stage}, {key}: {few} tests, {many} without the skip");
     }
 }
 

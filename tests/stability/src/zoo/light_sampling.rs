@@ -3,6 +3,7 @@
 use crate::zoo::mutant::{Mutant, Test};
 
 const PACKAGE: &str = "light-sampling";
+const BETWEEN: &str = "chapters/07-light-sampling/src/between.rs";
 const FLAT: &str = "chapters/07-light-sampling/src/flat_lamp.rs";
 const HEURISTIC: &str = "chapters/07-light-sampling/src/heuristic.rs";
 const LIGHTS: &str = "chapters/07-light-sampling/src/lights.rs";
@@ -79,6 +80,30 @@ pub(super) const MUTANTS: &[Mutant] = &[
         old: "let visible = is_visible();",
         new: "let visible = true;",
         test: Test::of(PACKAGE, "estimators", "a_black_sphere_takes_a_quarter_of_the_sky"),
+    },
+    Mutant {
+        name: "rays toward the sky leave out the walls",
+        lesson: "only between two points of the scene is a wall in nobody's way",
+        file: RADIANCE,
+        old: "Some(between) if ends && self",
+        new: "Some(between) if (ends || true) && self",
+        test: Test::of(PACKAGE, "estimators", "a_wall_hides_the_sky_behind_it"),
+    },
+    Mutant {
+        name: "lights outside of the walls are forgotten",
+        lesson: "a shadow ray ends at a light: it, too, has to lie within the walls",
+        file: BETWEEN,
+        old: "corners.chain(points).chain(spheres)",
+        new: "corners.chain(points.take(0)).chain(spheres)",
+        test: Test::of(PACKAGE, "lamps", "a_wall_with_something_on_either_side_stays"),
+    },
+    Mutant {
+        name: "one lamp of many is left out",
+        lesson: "a lamp may stand in the light of another one",
+        file: BETWEEN,
+        old: "[Light::Flat(_)])",
+        new: "[Light::Flat(_), ..])",
+        test: Test::of(PACKAGE, "lamps", "walls_and_the_only_lamp_are_left_out_and_nothing_else"),
     },
     Mutant {
         name: "the density of a lamp stays per area",
