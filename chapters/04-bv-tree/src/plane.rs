@@ -91,7 +91,7 @@ mod tests {
             let plane = Plane::through([a, b, c]);
             let [v0, v1, v2] = [a, b, c].map(|v| v.as_dvec3());
             let aside = (v1 - v0).cross(v2 - v0).normalize_or_zero();
-            let beside = (v2 + 1e-3 * aside).as_vec3();
+            let beside = (v2 + 1e-6 * aside).as_vec3();
             let height = aside.dot(beside.as_dvec3() - v0);
             if aside == DVec3::ZERO {
                 continue; // no plane at all
