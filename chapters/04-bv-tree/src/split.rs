@@ -65,12 +65,11 @@ fn split_at_median(items: &mut [Item]) -> Option<Split> {
     Some(Split::at(middle, items))
 }
 
-/// By what items are told apart: twice the middle of their box, for each axis, and how large it is,
-/// the square root of its surface.
+/// By what items are told apart: twice the middle of their box, along axis `i`, and as the fourth
+/// mark how large it is, the square root of its surface.
 #[inline]
-fn marks(item: &Item) -> [f32; 4] {
-    let [x, y, z] = item.doubled_center().to_array();
-    [x, y, z, item.bounds.surface_area().sqrt()]
+fn mark(item: &Item, i: usize) -> f32 {
+    if i < 3 { item.doubled_center()[i] } else { item.bounds.surface_area().sqrt() }
 }
 
 /// From the smallest to the largest of each mark.
@@ -78,7 +77,8 @@ fn spreads(items: &[Item]) -> [Interval; 4] {
     let none = [Interval::new(f32::INFINITY, f32::NEG_INFINITY); 4];
     let add = |a: Interval, b: Interval| Interval::new(a.min.min(b.min), a.max.max(b.max));
     let add_item = |mut all: [Interval; 4], item: &Item| {
-        for (all, mark) in all.iter_mut().zip(marks(item)) {
+        for (i, all) in all.iter_mut().enumerate() {
+            let mark = mark(item, i);
             *all = add(*all, Interval::new(mark, mark));
         }
         all
@@ -142,7 +142,7 @@ fn split_by_area(whole: &Aabb, items: &mut [Item]) -> Option<Split> {
     if n <= LEAF && split_cost >= LEAF_COST {
         return None;
     }
-    let left_count = partition(items, |item| binning.bin(item)[border.mark] < border.bin);
+    let left_count = partition(items, |item| binning.bin(item, border.mark) < border.bin);
     Some(Split { left_count, left: border.left, right: border.right })
 }
 // ANCHOR_END: split_by_area
@@ -165,10 +165,10 @@ impl Binning {
         }
     }
 
+    /// The bin of an item by mark `i`.
     #[inline]
-    fn bin(&self, item: &Item) -> [usize; 4] {
-        let marks = marks(item);
-        [0, 1, 2, 3].map(|i| (((marks[i] - self.min[i]) * self.scale[i]) as usize).min(BINS - 1))
+    fn bin(&self, item: &Item, i: usize) -> usize {
+        (((mark(item, i) - self.min[i]) * self.scale[i]) as usize).min(BINS - 1)
     }
 
     fn fill(&self, items: &[Item]) -> Bins {
@@ -191,8 +191,8 @@ impl Binning {
     fn fill_one(&self, items: &[Item]) -> Bins {
         let mut bins = NO_BINS;
         for item in items {
-            for (bins, bin) in bins.iter_mut().zip(self.bin(item)) {
-                let bin = &mut bins[bin];
+            for (i, bins) in bins.iter_mut().enumerate() {
+                let bin = &mut bins[self.bin(item, i)];
                 bin.bounds = bin.bounds.union(&item.bounds);
                 bin.count += 1;
             }
