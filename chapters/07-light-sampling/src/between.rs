@@ -27,6 +27,9 @@ const MOST: u32 = 1024;
 ///   between them belongs to it. The way can begin or end at a wall, but not pass through it. (From
 ///   outside the walls no lamp is above the horizon, and there is no shadow ray.)
 /// - the **only lamp**, if it is flat: every shadow ray ends at its plane.
+///
+/// One difference to a search among all remains. In a corner, rounding may put the start of a ray
+/// into the other wall. Who looks for that wall finds the point in its shadow, which it is not.
 #[must_use]
 pub fn between(scene: &Scene, lights: &Lights) -> Option<Vec<u32>> {
     let geometry = &scene.geometry;

@@ -14,11 +14,15 @@ fn bits(hit: Option<Hit>) -> Option<(u32, u32)> {
     hit.map(|hit| (hit.t.to_bits(), hit.primitive))
 }
 
+fn load(name: &str) -> Scene {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/scenes");
+    Scene::load(&folder.join(name).with_extension("toml")).expect(name)
+}
+
 /// A walk from surface to surface, in random directions, which the search through everything has to
 /// confirm: it knows nothing of where a ray starts. Some directions run nearly along the surface.
 fn check(name: &str, walks: u64) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/scenes");
-    let scene = Scene::load(&folder.join(name).with_extension("toml")).expect(name);
+    let scene = load(name);
     let recorder = Recorder::new();
     let tree = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &recorder);
     let all = LinearSearch::new(&scene.geometry, &Unwatched);
@@ -50,10 +54,8 @@ fn check(name: &str, walks: u64) {
 
 /// Rays from surfaces to points of triangles, with some that look along them.
 fn check_ends(name: &str, rays: u64) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/scenes");
-    let scene = Scene::load(&folder.join(name).with_extension("toml")).expect(name);
-    let recorder = Recorder::new();
-    let tree = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &recorder);
+    let scene = load(name);
+    let tree = BvTree::<Aabb, _>::build(&scene.geometry, Builder::Sah, &Unwatched);
     let all = LinearSearch::new(&scene.geometry, &Unwatched);
     let [mut asked, mut free] = [0, 0];
     for i in 0..rays {
