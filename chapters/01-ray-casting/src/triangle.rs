@@ -145,7 +145,11 @@ pub fn decide(
     let u = c[0] * b[1] - c[1] * b[0];
     let v = a[0] * c[1] - a[1] * c[0];
     let w = b[0] * a[1] - b[1] * a[0];
-    if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {
+    // One branch that is hardly ever taken. Asked one after the other, the signs tell which side of
+    // the triangle the ray sees, and that no processor foresees. The product is not rounded to zero:
+    // all three are multiples of 2⁻²⁹⁸. With a NaN, whatever is decided here, there will be no t.
+    let (least, most) = (smaller(u, smaller(v, w)), larger(u, larger(v, w)));
+    if least * most < 0.0 {
         return None;
     }
     // Exchanging v and w, as reversing the winding does, changes no bit of these sums.
@@ -192,7 +196,7 @@ fn lies_in_front(forward: f64, sheared: &[[f32; 3]; 3], z: f64, det: f64) -> boo
     let size = size(sheared);
     let bound = gamma(16) * size;
     // One branch instead of three, of which the processor cannot foresee any.
-    if (a > bound) & (b > bound) & (c > bound) {
+    if smaller(a, smaller(b, c)) > bound {
         return true;
     }
     let (det, size) = (det.abs(), f64::from(size));
@@ -215,10 +219,16 @@ fn size(sheared: &[[f32; 3]; 3]) -> f32 {
 }
 
 /// The larger of two numbers that are not NaN: one instruction, where `f32::max` takes some more to
-/// make sure that a NaN loses. A sheared vertex with a NaN has no t, and never gets here.
+/// make sure that a NaN loses.
 #[inline]
-fn larger(a: f32, b: f32) -> f32 {
+fn larger<T: PartialOrd>(a: T, b: T) -> T {
     if a > b { a } else { b }
+}
+
+/// The smaller of two such numbers.
+#[inline]
+fn smaller<T: PartialOrd>(a: T, b: T) -> T {
+    if a < b { a } else { b }
 }
 
 /// The t of a hit that may lie on either side of the origin, as far as `t` can say: the exact plane

@@ -43,9 +43,8 @@ pub(super) const MUTANTS: &[Mutant] = &[
         name: "an edge belongs to neither triangle",
         lesson: "a closed mesh has holes exactly where its triangles meet",
         file: "chapters/01-ray-casting/src/triangle.rs",
-        old: "(u > 0.0 || v > 0.0 || w > 0.0) {\n        return None;\n    }\n    // Exchanging",
-        new: "(u > 0.0 || v > 0.0 || w > 0.0) || u * v * w == 0.0 {\n        return None;\n    }\n    \
-              // Exchanging",
+        old: "least * most < 0.0",
+        new: "least * most <= 0.0",
         test: Test::of(PACKAGE, "kernels", "no_ray_slips_through_the_diagonal_of_a_square"),
     },
     Mutant {
