@@ -1,12 +1,12 @@
 //! Axis-aligned bounding boxes.
 
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 use ray_casting::{Geometry, Interval, Ray};
 
 use crate::bounding_volume::{BoundingVolume, FourIntervals, PADDING};
 use crate::four::{Four, larger_of, mul, smaller_of, sub};
 use crate::item::Item;
-use crate::slab::{SlabQuery, overlap};
+use crate::slab::{AxisQueries, overlap};
 
 /// The points between two corners: three slabs along the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,38 +41,21 @@ impl Aabb {
     #[inline]
     #[must_use]
     pub fn reach(&self, origin: Vec3) -> f32 {
-        (self.min - origin).abs().max((self.max - origin).abs()).max_element()
+        let [min, max] = [self.min, self.max].map(|corner| (corner - origin).abs().extend(0.0));
+        min.max(max).max_element()
     }
 }
 
-/// A ray as boxes want it: what a [`SlabQuery`] holds, for each axis, and four times each number.
-#[derive(Clone, Copy, Debug)]
-pub struct AabbQuery {
-    axes: [AxisQuery; 3],
-}
-
-/// One axis of an [`AabbQuery`].
+/// A ray as boxes want it: what a [`SlabQuery`](crate::SlabQuery) holds, for each axis, and four times
+/// each number.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(16))]
-struct AxisQuery {
-    origin_near: Four,
-    origin_far: Four,
-    inverse_near: Four,
-    inverse_far: Four,
-    is_backward: bool,
-}
-
-impl From<SlabQuery> for AxisQuery {
-    #[inline(always)]
-    fn from(slab: SlabQuery) -> Self {
-        Self {
-            origin_near: [slab.origin_near; 4],
-            origin_far: [slab.origin_far; 4],
-            inverse_near: [slab.inverse_near; 4],
-            inverse_far: [slab.inverse_far; 4],
-            is_backward: slab.is_backward(),
-        }
-    }
+pub struct AabbQuery {
+    origin_near: [Four; 3],
+    origin_far: [Four; 3],
+    inverse_near: [Four; 3],
+    inverse_far: [Four; 3],
+    is_backward: [bool; 3],
 }
 
 /// Four boxes: for each axis the planes min of all of them, then the planes max.
@@ -90,13 +73,15 @@ impl BoundingVolume for Aabb {
 
     #[inline(always)]
     fn query(ray: &Ray, reach: f32) -> AabbQuery {
-        let (o, d, padding) = (ray.origin, ray.direction, PADDING * reach);
+        let axes = AxisQueries::new(ray.origin, ray.direction, PADDING * reach);
+        let four_times = |v: Vec4| [[v.x; 4], [v.y; 4], [v.z; 4]];
+        let backward = axes.are_backward();
         AabbQuery {
-            axes: [
-                SlabQuery::new(o.x, d.x, padding).into(),
-                SlabQuery::new(o.y, d.y, padding).into(),
-                SlabQuery::new(o.z, d.z, padding).into(),
-            ],
+            origin_near: four_times(axes.origin_near),
+            origin_far: four_times(axes.origin_far),
+            inverse_near: four_times(axes.inverse_near),
+            inverse_far: four_times(axes.inverse_far),
+            is_backward: [backward & 1 != 0, backward & 2 != 0, backward & 4 != 0],
         }
     }
 
@@ -105,17 +90,17 @@ impl BoundingVolume for Aabb {
     /// t at a plane x = c:  (c − o) / d;   the smaller of the two enters, the larger leaves
     /// ```
     ///
-    /// [`SlabQuery`] argues why no rounding can turn a hit into a miss.
+    /// [`SlabQuery`](crate::SlabQuery) argues why no rounding can turn a hit into a miss.
     #[inline]
     fn clip(&self, query: &AabbQuery) -> Interval {
         let mut inside = Interval::FORWARD;
-        for (i, axis) in query.axes.iter().enumerate() {
+        for i in 0..3 {
             let (mut enter, mut leave) = (self.min[i], self.max[i]);
-            if axis.is_backward {
+            if query.is_backward[i] {
                 (enter, leave) = (leave, enter);
             }
-            let enter = (enter - axis.origin_near[0]) * axis.inverse_near[0];
-            let leave = (leave - axis.origin_far[0]) * axis.inverse_far[0];
+            let enter = (enter - query.origin_near[i][0]) * query.inverse_near[i][0];
+            let leave = (leave - query.origin_far[i][0]) * query.inverse_far[i][0];
             inside = overlap(Interval::new(enter, leave), inside);
         }
         inside
@@ -133,11 +118,11 @@ impl BoundingVolume for Aabb {
     #[inline(always)]
     fn clip_four(planes: &FourBoxes, query: &AabbQuery) -> FourIntervals {
         let (mut min, mut max) = ([0.0; 4], [f32::INFINITY; 4]);
-        for (planes, axis) in planes.iter().zip(&query.axes) {
-            let enter = planes[usize::from(axis.is_backward)];
-            let leave = planes[usize::from(!axis.is_backward)];
-            let enter = mul(sub(enter, axis.origin_near), axis.inverse_near);
-            let leave = mul(sub(leave, axis.origin_far), axis.inverse_far);
+        for (i, planes) in planes.iter().enumerate() {
+            let enter = planes[usize::from(query.is_backward[i])];
+            let leave = planes[usize::from(!query.is_backward[i])];
+            let enter = mul(sub(enter, query.origin_near[i]), query.inverse_near[i]);
+            let leave = mul(sub(leave, query.origin_far[i]), query.inverse_far[i]);
             (min, max) = (larger_of(enter, min), smaller_of(leave, max));
         }
         FourIntervals { min, max }

@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use glam::Vec3;
+use glam::Vec4;
 use ray_casting::{
     ExactPoint, Geometry, Hit, Intersect, Ray, ShearedRay, Sphere, intersect_sphere, triangle,
 };
@@ -131,22 +131,10 @@ pub const TINY: u32 = 8;
 impl<V: BoundingVolume, P: Probe> Intersect for BvTree<'_, V, P> {
     /// Descends into the nearest child first and keeps the others for later; with every hit the ray
     /// becomes shorter, and what it then no longer reaches is dropped.
+    #[inline(always)]
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        let mut nearest: Option<Hit> = None;
-        let query = V::query(ray, self.bounds.reach(ray.origin));
-        let mut ray = ShearedRay::new(ray);
-        let mut tests = Tests::default();
-        let mut stack = Stack::new();
-        let mut next = self.enter(&ray.ray);
-        while let Some(link) = next {
-            if link.is_inner() {
-                next = self.descend(link, &query, ray.ray.extent.max, &mut stack, &mut tests);
-            } else {
-                self.intersect_leaf(link, &mut ray, &mut nearest, &mut tests);
-                next = stack.pop(ray.ray.extent.max);
-            }
-        }
-        tests.report(self.probe);
+        let mut nearest = None;
+        self.search(ray, &mut nearest);
         nearest
     }
 
@@ -155,11 +143,11 @@ impl<V: BoundingVolume, P: Probe> Intersect for BvTree<'_, V, P> {
         if !self.probe.skips(Counter::AnyHitExits) {
             return self.intersect(ray).is_some();
         }
+        let mut next = self.enter(ray);
         let query = V::query(ray, self.bounds.reach(ray.origin));
         let ray = ShearedRay::new(ray);
         let mut tests = Tests::default();
         let mut stack = Stack::new();
-        let mut next = self.enter(&ray.ray);
         let mut is_hit = false;
         while let Some(link) = next {
             if link.is_inner() {
@@ -178,6 +166,28 @@ impl<V: BoundingVolume, P: Probe> Intersect for BvTree<'_, V, P> {
 }
 
 impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
+    /// Puts the nearest hit into `nearest`, which is none.
+    ///
+    /// Not returned: it is put together piece by piece, and a result would be copied as a whole. A
+    /// processor that reads as a whole what has just been written in pieces waits for the last of them.
+    #[inline(never)]
+    fn search(&self, ray: &Ray, nearest: &mut Option<Hit>) {
+        let mut next = self.enter(ray);
+        let query = V::query(ray, self.bounds.reach(ray.origin));
+        let mut ray = ShearedRay::new(ray);
+        let mut tests = Tests::default();
+        let mut stack = Stack::new();
+        while let Some(link) = next {
+            if link.is_inner() {
+                next = self.descend(link, &query, ray.ray.extent.max, &mut stack, &mut tests);
+            } else {
+                self.intersect_leaf(link, &mut ray, nearest, &mut tests);
+                next = stack.pop(ray.ray.extent.max);
+            }
+        }
+        tests.report(self.probe);
+    }
+
     /// The child that the ray enters first; the others that it enters before `max` wait. If it
     /// enters none, whatever waits on top.
     #[inline(always)]
@@ -229,9 +239,10 @@ impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
     /// A ray of no direction, or with a coordinate that is not a number, meets nothing.
     #[inline(always)]
     fn enter(&self, ray: &Ray) -> Option<Link> {
+        let (o, d) = (ray.origin.extend(0.0), ray.direction.extend(0.0));
         // Zero times a number is zero; times anything else it is NaN.
-        let zero = (0.0 * ray.origin + 0.0 * ray.direction).element_sum();
-        (zero == 0.0 && ray.direction != Vec3::ZERO).then_some(self.root)
+        let numbers = (0.0 * o + 0.0 * d).cmpeq(Vec4::ZERO).all();
+        (numbers && d != Vec4::ZERO).then_some(self.root)
     }
 
     /// Looks for nearer hits among the primitives of a leaf; of equally near ones the one with the

@@ -23,7 +23,7 @@ pub(crate) struct Stack {
 }
 
 impl Stack {
-    const SOME: usize = 10;
+    const SOME: usize = 6;
     /// Three on each level.
     const MOST: usize = 3 * MAX_DEPTH;
     const NOTHING: Waiting = Waiting { link: Link::NOTHING, entry: 0.0 };
