@@ -25,6 +25,7 @@ mod rgb;
 mod scene;
 mod scene_builder;
 mod stage;
+mod surfaces;
 
 pub use attributes::Attributes;
 pub use camera::Camera;
@@ -41,4 +42,5 @@ pub use scene::Scene;
 pub use sphere::Sphere;
 pub use stage::{Extra, STAGE};
 pub use surface_point::{EndPoint, SurfacePoint};
+pub use surfaces::Surfaces;
 pub use triangle::ShearedRay;

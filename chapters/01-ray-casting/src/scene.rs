@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 use workbench::{
     Error, Exposure, MaterialRecord, Probe, SceneError, SceneFile, Texture, TextureRecord,
 };
@@ -87,11 +87,24 @@ impl Scene {
     #[must_use]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> SurfacePoint {
         let ExactPoint { position, extent, normal } = self.geometry.point(ray, hit);
+        self.surface_at(position, extent, normal.as_vec3(), ray, hit)
+    }
+
+    /// The surface at a point of which everything is known that takes double precision.
+    #[inline(always)]
+    pub(crate) fn surface_at(
+        &self,
+        position: DVec3,
+        extent: DVec3,
+        geometric_normal: Vec3,
+        ray: &Ray,
+        hit: &Hit,
+    ) -> SurfacePoint {
         let position = position.as_vec3();
         SurfacePoint {
             position,
             position_error: rounding_box(position, extent.as_vec3()),
-            geometric_normal: normal.as_vec3(),
+            geometric_normal,
             wo: -ray.direction,
             material: self.attributes.materials[hit.primitive as usize],
             hit: *hit,

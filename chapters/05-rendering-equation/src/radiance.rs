@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use blinn_phong::Picture;
 use mirror_refraction::{Boundaries, Media, mirror_direction, split};
-use ray_casting::{Intersect, Ray, Rgb, Scene, SurfacePoint};
+use ray_casting::{Intersect, Ray, Rgb, Scene, SurfacePoint, Surfaces};
 use workbench::{Counter, Probe, Sampler};
 
 use crate::brdf::Brdf;
@@ -26,6 +26,7 @@ pub struct Branching {
 /// Distributed ray tracing, over whatever finds the hits. `H`: what scenes it is compiled for.
 pub struct DistributedTracer<'a, G, P, H> {
     scene: &'a Scene,
+    surfaces: Surfaces<'a>,
     materials: Materials<'a, H>,
     geometry: &'a G,
     probe: &'a P,
@@ -45,8 +46,9 @@ impl<'a, G: Intersect, P: Probe, H: Has> DistributedTracer<'a, G, P, H> {
     ) -> Self {
         let boundaries = Boundaries::new(scene);
         let at_eye = boundaries.media_at_eye(geometry);
+        let surfaces = Surfaces::new(scene);
         let materials = Materials::new(scene, pictures);
-        Self { scene, materials, geometry, probe, branching, boundaries, at_eye }
+        Self { scene, surfaces, materials, geometry, probe, branching, boundaries, at_eye }
     }
 
     // ANCHOR: incident_radiance
@@ -76,7 +78,7 @@ impl<'a, G: Intersect, P: Probe, H: Has> DistributedTracer<'a, G, P, H> {
                 let background = if H::SKY { self.scene.background } else { Rgb::ZERO };
                 return radiance + passed * background;
             };
-            let mut surface = self.scene.surface(&ray, &hit);
+            let mut surface = self.surfaces.at(&ray, &hit);
             if H::GLASS {
                 surface = self.boundaries.opaque_contact(&ray, surface);
             }

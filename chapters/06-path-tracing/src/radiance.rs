@@ -2,7 +2,7 @@
 
 use blinn_phong::Picture;
 use mirror_refraction::{Boundaries, Media, mirror_direction, split};
-use ray_casting::{Hit, Intersect, Ray, Rgb, Scene, SurfacePoint};
+use ray_casting::{Hit, Intersect, Ray, Rgb, Scene, SurfacePoint, Surfaces};
 use rendering_equation::{Brdf, Density, Has, Material, Materials};
 use workbench::{Counter, Probe, Sampler};
 
@@ -11,6 +11,7 @@ use crate::roulette::Ending;
 /// Path tracing, over whatever finds the hits. `H`: what scenes it is compiled for.
 pub struct PathTracer<'a, G, P, H> {
     scene: &'a Scene,
+    surfaces: Surfaces<'a>,
     materials: Materials<'a, H>,
     geometry: &'a G,
     probe: &'a P,
@@ -33,11 +34,23 @@ impl<'a, G: Intersect, P: Probe, H: Has> PathTracer<'a, G, P, H> {
     ) -> Self {
         let boundaries = Boundaries::new(scene);
         let at_eye = boundaries.media_at_eye(geometry);
+        let surfaces = Surfaces::new(scene);
         let materials = Materials::new(scene, pictures);
         // Before every event and after the last one, a ray may cross boundaries that are none.
         let straight = boundaries.most_crossings().saturating_add(1);
         let longest = ending.depth.saturating_add(1).saturating_mul(straight);
-        Self { scene, materials, geometry, probe, density, ending, boundaries, at_eye, longest }
+        Self {
+            scene,
+            surfaces,
+            materials,
+            geometry,
+            probe,
+            density,
+            ending,
+            boundaries,
+            at_eye,
+            longest,
+        }
     }
 
     // ANCHOR: incident_radiance
@@ -66,7 +79,7 @@ impl<'a, G: Intersect, P: Probe, H: Has> PathTracer<'a, G, P, H> {
                 }
                 break;
             };
-            let mut surface = self.scene.surface(&ray, &hit);
+            let mut surface = self.surfaces.at(&ray, &hit);
             if H::GLASS {
                 surface = self.boundaries.opaque_contact(&ray, surface);
             }

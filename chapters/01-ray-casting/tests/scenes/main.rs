@@ -4,4 +4,5 @@ mod camera;
 mod coordinates;
 mod lights;
 mod placement;
+mod surfaces;
 mod tools;
