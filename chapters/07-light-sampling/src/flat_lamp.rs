@@ -145,8 +145,11 @@ impl FlatLamp {
     #[inline(always)]
     #[must_use]
     pub fn sample(&self, viewer: Vec3, u: [f32; 2]) -> Option<LightSample> {
+        if self.is_behind(viewer) {
+            return None;
+        }
         if self.is_near(viewer) {
-            return self.sample_solid_angle(viewer, u);
+            return self.sample_solid_angle(viewer, u).map(LightSample::anew);
         }
         let (b1, b2) = match self.outline {
             Outline::Parallelogram => (u[0], u[1]),
@@ -169,11 +172,19 @@ impl FlatLamp {
     #[inline]
     #[must_use]
     pub fn pdf(&self, viewer: Vec3, wi: Vec3, distance_squared: f32) -> Option<f32> {
-        if self.is_near(viewer) {
+        if self.is_behind(viewer) {
+            None
+        } else if self.is_near(viewer) {
             pdf_of(&self.halves(viewer))
         } else {
             self.pdf_of_area(wi, distance_squared)
         }
+    }
+
+    /// Whether no point of the lamp shines on `viewer`.
+    #[inline]
+    fn is_behind(&self, viewer: Vec3) -> bool {
+        self.normal.dot(viewer - self.middle) <= 0.0
     }
 
     /// Whether the lamp is sampled by solid angle from here. It depends on nothing but the place, so

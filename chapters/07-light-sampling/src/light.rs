@@ -54,6 +54,21 @@ impl LightSample {
             None => surface.spawn(self.wi),
         }
     }
+
+    /// The same, put together anew.
+    ///
+    /// A function that is not inlined leaves its result in memory, and the results of all others go
+    /// to the same place if they could be its own. They are written there piece by piece and read
+    /// as a whole at once, for which the processor waits. Put together anew, they need no place.
+    #[inline(always)]
+    pub(crate) fn anew(self) -> Self {
+        let Self { wi, radiance, pdf_solid_angle, is_delta, end } = self;
+        let end = end.map(|end| {
+            let EndPoint { position, position_error, normal, primitive } = end;
+            EndPoint { position, position_error, normal, primitive }
+        });
+        Self { wi, radiance, pdf_solid_angle, is_delta, end }
+    }
 }
 
 impl Light {
@@ -63,7 +78,7 @@ impl Light {
     pub fn sample(&self, surface: &SurfacePoint, u: [f32; 2]) -> Option<LightSample> {
         match self {
             Self::Flat(lamp) => lamp.sample(surface.position, u),
-            Self::Sphere(lamp) => lamp.sample(surface.position, u),
+            Self::Sphere(lamp) => lamp.sample(surface.position, u).map(LightSample::anew),
             Self::Point { position, intensity } => {
                 let path = position - surface.position;
                 let distance_squared = path.length_squared();

@@ -5,7 +5,7 @@ use bv_tree::{Aabb, Builder, BvTree};
 use glam::Vec3;
 use mirror_refraction::{Boundaries, Media, mirror_direction, split};
 use path_tracing::Ending;
-use ray_casting::{Hit, Intersect, Ray, Rgb, Scene, SurfacePoint};
+use ray_casting::{Hit, Intersect, Ray, Rgb, Scene, SurfacePoint, Surfaces};
 use rendering_equation::{Brdf, Density, Has, Material, Materials};
 use workbench::{Counter, Probe, Sampler};
 
@@ -48,6 +48,7 @@ impl Settings {
 /// for.
 pub struct LightTracer<'a, G, P, H> {
     scene: &'a Scene,
+    surfaces: Surfaces<'a>,
     materials: Materials<'a, H>,
     lights: Lights,
     geometry: &'a G,
@@ -79,6 +80,7 @@ impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
     ) -> Self {
         let boundaries = Boundaries::new(scene);
         let at_eye = boundaries.media_at_eye(geometry);
+        let surfaces = Surfaces::new(scene);
         let materials = Materials::new(scene, pictures);
         let lights = Lights::with(scene, settings.choice, settings.measure);
         let asks = settings.estimator != Estimator::Scatter;
@@ -92,6 +94,7 @@ impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
         let longest = settings.ending.depth.saturating_add(1).saturating_mul(straight);
         Self {
             scene,
+            surfaces,
             materials,
             lights,
             geometry,
@@ -136,7 +139,7 @@ impl<'a, G: Intersect, P: Probe, H: Has> LightTracer<'a, G, P, H> {
                 }
                 break;
             };
-            let mut surface = self.scene.surface(&ray, &hit);
+            let mut surface = self.surfaces.at(&ray, &hit);
             if H::GLASS {
                 surface = self.boundaries.opaque_contact(&ray, surface);
             }
