@@ -41,7 +41,8 @@ impl Aabb {
     #[inline]
     #[must_use]
     pub fn reach(&self, origin: Vec3) -> f32 {
-        let [min, max] = [self.min, self.max].map(|corner| (corner - origin).abs().extend(0.0));
+        let min = (self.min - origin).abs().extend(0.0);
+        let max = (self.max - origin).abs().extend(0.0);
         min.max(max).max_element()
     }
 }

@@ -166,7 +166,7 @@ impl<V: BoundingVolume, P: Probe> Intersect for BvTree<'_, V, P> {
 }
 
 impl<V: BoundingVolume, P: Probe> BvTree<'_, V, P> {
-    /// Puts the nearest hit into `nearest`, which is none.
+    /// Puts the nearest hit, if there is one, into `nearest`, which holds none yet.
     ///
     /// Not returned: it is put together piece by piece, and a result would be copied as a whole. A
     /// processor that reads as a whole what has just been written in pieces waits for the last of them.

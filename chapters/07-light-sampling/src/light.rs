@@ -57,9 +57,10 @@ impl LightSample {
 
     /// The same, put together anew.
     ///
-    /// A function that is not inlined leaves its result in memory, and the results of all others go
-    /// to the same place if they could be its own. They are written there piece by piece and read
-    /// as a whole at once, for which the processor waits. Put together anew, they need no place.
+    /// Two ways of drawing a point are too long to be inlined; what they find they leave in memory.
+    /// Passed on as it is, it makes all other ways leave theirs in the same memory, piece by piece,
+    /// and whoever then reads several pieces at once waits for the last one. Put together anew, it
+    /// does not matter where it came from, and the others stay in registers.
     #[inline(always)]
     pub(crate) fn anew(self) -> Self {
         let Self { wi, radiance, pdf_solid_angle, is_delta, end } = self;
