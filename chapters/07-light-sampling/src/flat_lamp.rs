@@ -181,10 +181,15 @@ impl FlatLamp {
         }
     }
 
-    /// Whether no point of the lamp shines on `viewer`.
+    /// Whether the lamp surely turns its back on `viewer`.
+    ///
+    /// Not if the roundings could be why: γ(8) of the numbers that go in is more than those of the
+    /// middle, of the way, of the normal and of their product together.
     #[inline]
     fn is_behind(&self, viewer: Vec3) -> bool {
-        self.normal.dot(viewer - self.middle) <= 0.0
+        let way = viewer - self.middle;
+        let doubt = gamma(8) * (way.abs() + self.middle.abs()).element_sum();
+        self.normal.dot(way) < -doubt
     }
 
     /// Whether the lamp is sampled by solid angle from here. It depends on nothing but the place, so

@@ -242,6 +242,29 @@ fn the_density_of_the_other_measure_is_noticed() {
     assert!(result.is_err(), "the wrong measure passes: {result:?}");
 }
 
+/// From just in front of one corner of a wide lamp, the middle is so far away that rounding alone
+/// could put the viewer behind it. It is lit, and from as far behind the lamp it is not.
+#[test]
+fn a_viewer_just_in_front_of_a_wide_lamp_is_lit() {
+    let mut sampler = Sampler::new(seed(0x6608), 0, 0);
+    for i in 0..2_000 {
+        let [b, c] = [(); 2].map(|()| 1e4 * in_ball(&mut sampler).normalize());
+        if b.cross(c).length() < 1e7 {
+            continue; // a needle
+        }
+        let lamp = FlatLamp::triangle([Vec3::ZERO, b, c], Rgb::ONE, Measure::SolidAngle);
+        let normal = b.as_dvec3().cross(c.as_dvec3()).normalize();
+        let foot = (b + c).as_dvec3() * 1e-6;
+        for side in [1.0, -1.0] {
+            let viewer = (foot + side * 1e-4 * normal).as_vec3();
+            let drawn =
+                (0..20).filter(|_| lamp.sample(viewer, sampler.next_2d()).is_some()).count();
+            let expected = if side > 0.0 { 20 } else { 0 };
+            assert_eq!(drawn, expected, "of 20 points, lamp {i}: {lamp:?}, viewer {viewer}");
+        }
+    }
+}
+
 /// A lamp of any position and tilt does not light itself, on whichever side of its plane rounding
 /// has put the point: from a height of some last digits, it would fill half of all directions.
 #[test]

@@ -130,6 +130,14 @@ pub(super) const MUTANTS: &[Mutant] = &[
         test: Test::of(PACKAGE, "lamps", "triangles_from_near_from_far_and_along_their_edge"),
     },
     Mutant {
+        name: "a rounded product tells the back of a lamp",
+        lesson: "whoever is just in front of a wide lamp would be left in the dark",
+        file: FLAT,
+        old: "self.normal.dot(way) < -doubt",
+        new: "self.normal.dot(way) <= 0.0 * doubt",
+        test: Test::of(PACKAGE, "lamps", "a_viewer_just_in_front_of_a_wide_lamp_is_lit"),
+    },
+    Mutant {
         name: "the choice of a lamp is not divided by its probability",
         lesson: "one lamp is asked for all: it must count for those that were not",
         file: LIGHTS,
