@@ -41,6 +41,7 @@ impl Aabb {
     #[inline]
     #[must_use]
     pub fn reach(&self, origin: Vec3) -> f32 {
+        // Made four numbers, which are compared together; three would be taken apart.
         let min = (self.min - origin).abs().extend(0.0);
         let max = (self.max - origin).abs().extend(0.0);
         min.max(max).max_element()
