@@ -110,6 +110,7 @@ impl Film {
             }
             let is_even = matches!(portion, Portion::Even(_));
             let mut batch = [[0.0; 3]; BATCH as usize];
+            let mut starts = [const { None }; BATCH as usize];
             let mut added = 0;
             for (i, pixel) in (0..tile.pixels.len()).zip(tile.coordinates()) {
                 let index = u64::from(pixel[1]) * u64::from(size[0]) + u64::from(pixel[0]);
@@ -119,11 +120,17 @@ impl Film {
                 added += u64::from(due);
                 while sample < end {
                     let batch = &mut batch[..BATCH.min(end - sample) as usize];
-                    for slot in &mut *batch {
+                    // Where paths start does not depend on other paths: together these are computed
+                    // side by side, each by itself it would have to wait for the end of the last one.
+                    for start in &mut starts[..batch.len()] {
                         let mut sampler = Sampler::new(seed, index, u64::from(sample));
                         let point = FilmPoint::in_pixel(pixel, sampler.next_2d(), size);
-                        *slot = radiance(point, &mut sampler).into();
+                        *start = Some((point, sampler));
                         sample += 1;
+                    }
+                    for (slot, start) in batch.iter_mut().zip(&mut starts) {
+                        let Some((point, sampler)) = start else { continue };
+                        *slot = radiance(*point, sampler).into();
                     }
                     tile.add(i, batch, is_even);
                 }

@@ -194,13 +194,11 @@ pub fn decide(
 fn lies_in_front(forward: f64, sheared: &[[f32; 3]; 3], z: f64, det: f64) -> bool {
     let [a, b, c] = sheared.map(|p| forward as f32 * p[2]);
     let size = size(sheared);
-    let bound = gamma(16) * size;
-    // One branch instead of three, of which the processor cannot foresee any.
-    if smaller(a, smaller(b, c)) > bound {
-        return true;
-    }
+    let all_are = smaller(a, smaller(b, c)) > gamma(16) * size;
     let (det, size) = (det.abs(), f64::from(size));
-    forward * z * det > f64::from(gamma(16)) * size * (det + 16.0 * size * size)
+    let it_is = forward * z * det > f64::from(gamma(16)) * size * (det + 16.0 * size * size);
+    // Both are computed, since no processor foresees whether the first one will do.
+    all_are | it_is
 }
 
 /// Whether a ray that starts behind its origin, at `extent.min`, has left the hit at `t` behind. No

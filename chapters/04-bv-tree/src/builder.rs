@@ -10,6 +10,7 @@ use rayon::join;
 use crate::aabb::Aabb;
 use crate::bounding_volume::BoundingVolume;
 use crate::item::Item;
+use crate::join::{FEW, split_by_joining};
 use crate::layout::lay_out;
 use crate::node::{Child, Link, Node};
 use crate::split::{Builder, Split, split};
@@ -46,7 +47,7 @@ pub(crate) fn build<V: BoundingVolume>(
     let whole = Part { bounds: bounds(&items), count: items.len(), splits: 0, is_leaf: false };
     // n primitives have at most n − 1 nodes, since each divides some of them.
     let mut slots: Vec<Option<[Child<V>; 4]>> = vec![None; items.len() - 1];
-    let task = Task { geometry, builder };
+    let task = Task { geometry, builder, joins: builder == Builder::Sah && items.len() <= FEW };
     let mut root = task.child(&whole, Place { item: 0, slot: 0 }, &mut items, &mut slots).link;
     let nodes = lay_out(&mut root, &slots);
     Topology { root, nodes, items }
@@ -76,6 +77,8 @@ struct Place {
 struct Task<'a> {
     geometry: &'a Geometry,
     builder: Builder,
+    /// Whether there are so few primitives that the heuristic can work from below.
+    joins: bool,
 }
 
 impl Task<'_> {
@@ -168,8 +171,12 @@ impl Task<'_> {
 
     /// Splits as the builder says; a leaf of two kinds of primitives is split by kind.
     fn split(&self, builder: Builder, bounds: &Aabb, items: &mut [Item]) -> Option<Split> {
-        if let Some(split) = split(builder, bounds, items) {
-            return Some(split);
+        let split = match builder {
+            Builder::Sah if self.joins => split_by_joining(bounds, items),
+            _ => split(builder, bounds, items),
+        };
+        if split.is_some() {
+            return split;
         }
         let triangles = items.iter().filter(|item| !self.is_sphere(Some(item))).count();
         if triangles == 0 || triangles == items.len() {
@@ -187,4 +194,43 @@ impl Task<'_> {
 /// The box around all items.
 pub(crate) fn bounds(items: &[Item]) -> Aabb {
     items.iter().fold(Aabb::EMPTY, |all, item| all.union(&item.bounds))
+}
+
+#[cfg(test)]
+mod tests {
+    use ray_casting::Geometry;
+
+    use super::{Part, Task, bounds};
+    use crate::bounding_volume::BoundingVolume;
+    use crate::item::Item;
+    use crate::join::tests::room;
+    use crate::split::Builder;
+
+    /// What a random line that meets the box around `items` pays for them, times the surface of that
+    /// box: 1 for each node that it enters, 4 for each leaf.
+    fn cost(task: &Task, part: Part, items: &mut [Item]) -> f32 {
+        let mut parts = [part; 4];
+        let n = task.divide(&mut parts, items);
+        let area = part.bounds.surface_area();
+        if n == 1 {
+            return 4.0 * area;
+        }
+        let mut rest = items;
+        parts[..n].iter().fold(area, |sum, part| {
+            let (own, others) = std::mem::take(&mut rest).split_at_mut(part.count);
+            rest = others;
+            sum + cost(task, *part, own)
+        })
+    }
+
+    #[test]
+    fn in_a_room_joining_makes_a_cheaper_tree_than_bins() {
+        let [joined, binned] = [true, false].map(|joins| {
+            let (mut items, geometry) = (room(), Geometry::default());
+            let task = Task { geometry: &geometry, builder: Builder::Sah, joins };
+            let (bounds, count) = (bounds(&items), items.len());
+            cost(&task, Part { bounds, count, splits: 0, is_leaf: false }, &mut items)
+        });
+        assert!(joined < 0.95 * binned, "{joined} joined, {binned} with bins");
+    }
 }

@@ -137,15 +137,26 @@ fn split_by_area(whole: &Aabb, items: &mut [Item]) -> Option<Split> {
     let bins = binning.fill(items);
     let best = best_border(&bins);
     let Some(border) = best else { return split_at_median(items) };
-    // Areas may overflow: a cost of ∞ / ∞ is no reason for a leaf.
-    let split_cost = 1.0 + LEAF_COST * border.cost / whole.surface_area();
-    if n <= LEAF && split_cost >= LEAF_COST {
+    if n <= LEAF && leaf_is_cheaper(border.cost, whole) {
         return None;
     }
     let left_count = partition(items, |item| binning.bin(item, border.mark) < border.bin);
     Some(Split { left_count, left: border.left, right: border.right })
 }
 // ANCHOR_END: split_by_area
+
+/// Whether items that fit into a leaf should be one, instead of being split like this.
+pub(crate) fn is_leaf_better(whole: &Aabb, split: &Split, n: usize) -> bool {
+    let Split { left_count, left, right } = split;
+    let part = |bounds: &Aabb, n: usize| bounds.surface_area() * leaves(n as u32);
+    n <= LEAF && leaf_is_cheaper(part(left, *left_count) + part(right, n - left_count), whole)
+}
+
+/// Areas may overflow: a cost of ∞ / ∞ is no reason for a leaf.
+fn leaf_is_cheaper(border_cost: f32, whole: &Aabb) -> bool {
+    let split_cost = 1.0 + LEAF_COST * border_cost / whole.surface_area();
+    split_cost >= LEAF_COST
+}
 
 /// Maps marks to bins.
 struct Binning {
