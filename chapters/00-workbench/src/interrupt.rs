@@ -1,5 +1,6 @@
 //! Ctrl-C, which ends a render early but not without its picture.
 
+use std::panic;
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -18,7 +19,14 @@ static STOP: AtomicBool = AtomicBool::new(false);
 ///
 /// During the render the first one stops it, so that what there is can be written. Before, there
 /// is nothing to write; and whoever presses twice wants out at once.
+///
+/// A panic ends a release build at once, too, and nothing that is half written stays behind.
 pub(crate) fn listen() -> Result<(), Error> {
+    let report = panic::take_hook();
+    panic::set_hook(Box::new(move |info| {
+        report(info);
+        atomic_file::remove_unfinished();
+    }));
     let handler = || {
         if !SAVING.load(Ordering::SeqCst) || STOP.swap(true, Ordering::SeqCst) {
             atomic_file::remove_unfinished();

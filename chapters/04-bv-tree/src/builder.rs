@@ -10,7 +10,7 @@ use rayon::join;
 use crate::aabb::Aabb;
 use crate::bounding_volume::BoundingVolume;
 use crate::item::Item;
-use crate::join::{FEW, split_by_joining};
+use crate::joining::{FEW, split_by_joining};
 use crate::layout::lay_out;
 use crate::node::{Child, Link, Node};
 use crate::split::{Builder, Split, split};
@@ -77,7 +77,7 @@ struct Place {
 struct Task<'a> {
     geometry: &'a Geometry,
     builder: Builder,
-    /// Whether there are so few primitives that the heuristic can work from below.
+    /// Whether the surface area heuristic works from below, since there are few primitives in all.
     joins: bool,
 }
 
@@ -203,7 +203,7 @@ mod tests {
     use super::{Part, Task, bounds};
     use crate::bounding_volume::BoundingVolume;
     use crate::item::Item;
-    use crate::join::tests::room;
+    use crate::joining::tests::room;
     use crate::split::Builder;
 
     /// What a random line that meets the box around `items` pays for them, times the surface of that

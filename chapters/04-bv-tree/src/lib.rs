@@ -12,7 +12,7 @@ mod four;
 mod four_triangles;
 mod frames;
 mod item;
-mod join;
+mod joining;
 mod k_dop;
 mod layout;
 mod node;

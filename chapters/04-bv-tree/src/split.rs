@@ -14,7 +14,7 @@ use crate::item::Item;
 pub enum Builder {
     /// In halves of equal count, along the axis on which the centres spread most.
     Median,
-    /// By the surface area heuristic, over bins.
+    /// By the surface area heuristic: over bins, and from below where there are at most 64 primitives.
     #[default]
     Sah,
 }
@@ -137,25 +137,26 @@ fn split_by_area(whole: &Aabb, items: &mut [Item]) -> Option<Split> {
     let bins = binning.fill(items);
     let best = best_border(&bins);
     let Some(border) = best else { return split_at_median(items) };
-    if n <= LEAF && leaf_is_cheaper(border.cost, whole) {
+    if n <= LEAF && is_leaf_cheaper(border.cost, whole) {
         return None;
     }
     let left_count = partition(items, |item| binning.bin(item, border.mark) < border.bin);
     Some(Split { left_count, left: border.left, right: border.right })
 }
+
+/// Whether a leaf costs less than a split whose a_left g_left + a_right g_right is `parts`. Areas may
+/// overflow: a cost of ∞ / ∞ is no reason for a leaf.
+fn is_leaf_cheaper(parts: f32, whole: &Aabb) -> bool {
+    1.0 + LEAF_COST * parts / whole.surface_area() >= LEAF_COST
+}
 // ANCHOR_END: split_by_area
 
-/// Whether items that fit into a leaf should be one, instead of being split like this.
+/// Whether all `n` items fit into a leaf that costs less than this split of them.
 pub(crate) fn is_leaf_better(whole: &Aabb, split: &Split, n: usize) -> bool {
-    let Split { left_count, left, right } = split;
     let part = |bounds: &Aabb, n: usize| bounds.surface_area() * leaves(n as u32);
-    n <= LEAF && leaf_is_cheaper(part(left, *left_count) + part(right, n - left_count), whole)
-}
-
-/// Areas may overflow: a cost of ∞ / ∞ is no reason for a leaf.
-fn leaf_is_cheaper(border_cost: f32, whole: &Aabb) -> bool {
-    let split_cost = 1.0 + LEAF_COST * border_cost / whole.surface_area();
-    split_cost >= LEAF_COST
+    let left = part(&split.left, split.left_count);
+    let right = part(&split.right, n - split.left_count);
+    n <= LEAF && is_leaf_cheaper(left + right, whole)
 }
 
 /// Maps marks to bins.

@@ -7,7 +7,7 @@ use crate::split::{Split, is_leaf_better};
 /// As many primitives at most make a tree from below: it takes time as their cube.
 pub(crate) const FEW: usize = 64;
 
-// ANCHOR: join
+// ANCHOR: joining
 /// Divides `items`, whose box is `whole`, or says that they should be one leaf.
 ///
 /// Each primitive begins as a group of its own. Again and again the two groups are joined whose
@@ -84,7 +84,7 @@ fn surface_area(bounds: &Aabb) -> f64 {
     let side = bounds.max.as_dvec3() - bounds.min.as_dvec3();
     2.0 * (side.x * side.y + side.y * side.z + side.z * side.x)
 }
-// ANCHOR_END: join
+// ANCHOR_END: joining
 
 #[cfg(test)]
 pub(crate) mod tests {
@@ -168,16 +168,16 @@ pub(crate) mod tests {
         for seed in 0..100 {
             let mut sampler = Sampler::new(23, seed, 0);
             let mut heaps: Vec<Item> = (0..20)
-                .map(|primitive| {
+                .map(|primitive: u32| {
                     let [x, y] = sampler.next_2d();
-                    let corner = Vec3::new(x, y, sampler.next_1d());
-                    let min = corner + if primitive % 2 == 0 { Vec3::ZERO } else { 5.0 * Vec3::X };
+                    let aside = if primitive.is_multiple_of(2) { 0.0 } else { 5.0 };
+                    let min = Vec3::new(x + aside, y, sampler.next_1d());
                     Item { bounds: Aabb { min, max: min + 0.1 }, primitive }
                 })
                 .collect();
             heaps.rotate_left((seed % 20) as usize);
             let split = split_by_joining(&bounds(&heaps), &mut heaps).expect("two parts");
-            let is_even = |item: &Item| item.primitive % 2 == 0;
+            let is_even = |item: &Item| item.primitive.is_multiple_of(2);
             assert_eq!(split.left_count, 10, "seed {seed}");
             assert!(heaps[..10].iter().all(is_even), "seed {seed}: {:?}", &heaps[..10]);
         }
