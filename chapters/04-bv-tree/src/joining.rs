@@ -4,7 +4,7 @@ use crate::aabb::Aabb;
 use crate::item::Item;
 use crate::split::{Split, is_leaf_better};
 
-/// As many primitives at most make a tree from below: it takes time as their cube.
+/// As many primitives at most make a tree from below: each split takes time as the cube of its own.
 pub(crate) const FEW: usize = 64;
 
 // ANCHOR: joining
